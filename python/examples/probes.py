@@ -1,7 +1,7 @@
-"""Probes against the asked spectrum: elevations at points of a sea for half an hour, and their spectrum beside the one
-that the sea was made of.
+"""Compares the spectrum of probes with the spectrum that the sea was made from. It samples the elevation at 64 points
+for half an hour.
 
-usage: python probes.py   writes probes.png; some 20 s on two cores
+usage: python probes.py   writes probes.png; takes some 20 s on two cores
 """
 
 import matplotlib
@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 STEP_S, STEPS, SEGMENT = 0.5, 3600, 512
 
-# Choppiness would move the probes' water sideways, and add bound waves that the spectrum does not ask for.
+# Choppiness would move the probes' water sideways, and add bound waves that the spectrum does not have.
 scene = offing.Scene(
     {
         "world": {"seed": 5},
@@ -24,12 +24,13 @@ scene = offing.Scene(
 )
 sea = offing.World(scene)
 
-# Samples of the map, where no interpolation takes energy from short waves; at least two peak wavelengths apart.
+# The probes lie on samples of the map, because interpolation removes energy from short waves. They are at least two
+# peak wavelengths apart.
 places_m = np.arange(8) * 192.0
 points_m = np.stack(np.meshgrid(places_m, places_m), axis=-1).reshape(-1, 2)
 elevation_m = np.stack([sea.at(step * STEP_S).sample(points_m, flow=False).height_m for step in range(STEPS)])
 
-# The mean periodogram of all probes, of segments that overlap by half (Welch 1967), with a Hann window.
+# Welch's method (1967): the mean periodogram of all probes, from half-overlapping segments with a Hann window.
 window = np.hanning(SEGMENT)[:, None]
 segments = [elevation_m[start : start + SEGMENT] for start in range(0, STEPS - SEGMENT + 1, SEGMENT // 2)]
 power = np.mean([np.abs(np.fft.rfft(window * segment, axis=0)) ** 2 for segment in segments], axis=(0, 2))
@@ -37,11 +38,11 @@ frequencies_hz = np.fft.rfftfreq(SEGMENT, STEP_S)
 measured = 2.0 * STEP_S * power / np.sum(window**2)
 
 asked = offing.Spectrum.of_scene(scene, np.linspace(0.03, 1.0, 500), directions=0)
-shortest_hz = np.sqrt(9.81 / (2 * np.pi) / (2 * 1536.0 / 256))  # waves of two samples: the grid has none above
-print(f"Hs asked {asked.hs_m:.2f} m, of the probes {4 * elevation_m.std():.2f} m")
+shortest_hz = np.sqrt(9.81 / (2 * np.pi) / (2 * 1536.0 / 256))  # waves of two samples: the grid has no shorter ones
+print(f"Hs of the spectrum {asked.hs_m:.2f} m, of the probes {4 * elevation_m.std():.2f} m")
 
 figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
-axes.plot(asked.frequencies_hz, asked.energy, label=f"asked, Hs {asked.hs_m:.2f} m")
+axes.plot(asked.frequencies_hz, asked.energy, label=f"spectrum, Hs {asked.hs_m:.2f} m")
 axes.plot(frequencies_hz, measured, ".", label=f"64 probes, Hs {4 * elevation_m.std():.2f} m")
 axes.axvline(shortest_hz, color="grey", linewidth=0.8, linestyle="--", label="two samples a wavelength")
 axes.set(

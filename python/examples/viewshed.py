@@ -1,6 +1,6 @@
-"""Viewshed and curvature of a terrain: what an observer sees, and where the ground is hollow or ridged.
+"""Draws what an observer on a terrain's summit sees, and the terrain's mean curvature, which shows hollows and ridges.
 
-usage: python viewshed.py [FILE]   writes viewshed.png; without a file, `offing` generates a valley
+usage: python viewshed.py [FILE]   writes viewshed.png; without a file, the program `offing` generates a valley
 """
 
 import pathlib
@@ -31,9 +31,9 @@ dx, dz = terrain.info["spacing_x_m"], terrain.info["spacing_z_m"]
 
 row, column = np.unravel_index(np.argmax(height_m), height_m.shape)
 seen = terrain.viewshed(column * dx, row * dz, observer_height_m=1.7, earth_radius_m=offing.EARTH_RADIUS_M)
-print(f"from the summit, {height_m.max():.0f} m, {100 * seen.mean():.1f} % of the map is seen")
+print(f"from the summit, {height_m.max():.0f} m, {100 * seen.mean():.1f} % of the map is visible")
 
-# Smoothed by a Gaussian of 250 m: the curvature of single posts shows roughness alone.
+# A Gaussian of 250 m smooths the map, because the curvature at single posts shows only roughness.
 for axis, spacing_m in enumerate((dz, dx)):
     reach = round(750.0 / spacing_m)
     weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) * spacing_m / 250.0) ** 2)
@@ -51,7 +51,7 @@ extent = (0, (height_m.shape[1] - 1) * dx, (height_m.shape[0] - 1) * dz, 0)
 axes[0].imshow(terrain.heights_m, extent=extent, cmap="Greys_r")
 axes[0].imshow(np.ma.masked_equal(seen, False), extent=extent, cmap="autumn", alpha=0.5)
 axes[0].plot(column * dx, row * dz, "b^")
-axes[0].set(xlabel="east, m", ylabel="south, m", title="seen from the summit")
+axes[0].set(xlabel="east, m", ylabel="south, m", title="visible from the summit")
 limit = np.quantile(np.abs(mean), 0.98)
 image = axes[1].imshow(mean, extent=extent, cmap="PuOr", vmin=-limit, vmax=limit)
 axes[1].set(xlabel="east, m", title="mean curvature, smoothed: hollows positive")

@@ -1,4 +1,4 @@
-"""Ensembles: one function of a world, for many seeds, records of a spectrum file or values of a scene, by Dask.
+"""Ensembles: Dask runs one function of a world for many seeds, records of a spectrum file, or values of a scene.
 
 import offing.ensemble
 
@@ -33,36 +33,41 @@ from offing.errors import BadInput, Error
 from offing.scene import Scene, merged
 from offing.world import World
 
-# A worker has one thread, so the kernels of its device get one too; PoCL reads one of these.
+# A worker has one thread, so its device gets one too. PoCL reads one of these, depending on its version.
 ONE_THREAD = {"POCL_MAX_PTHREAD_COUNT": "1", "POCL_CPU_MAX_CU_COUNT": "1"}
-# Ctrl-C in a terminal reaches every process; this one ends the workers.
+# Ctrl-C in a terminal reaches every process. Workers ignore it, and the main process ends them.
 NO_INTERRUPT = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
 
 
 def run(
     function, scene, *, seeds=None, records=None, parameters=None, folder=None, client=None, device=None, progress=None
 ):
-    """Calls function(world) for every member of an ensemble; returns all results as one xarray.Dataset.
+    """Calls function(world) for every member of an ensemble, and returns all results as one xarray.Dataset.
 
-    `scene` is a Scene or whatever Scene() takes. The members are one of: `seeds`, whole numbers for world.seed;
-    `records`, for ocean.record of the scene's spectrum file; `parameters`, a list of nested dicts of scene values,
-    as Scene.with_values() takes. The data set has a dimension of that name: seed, record or member. Parameters are
-    coordinates too, such as "wind.speed_mps".
+    `scene` is a Scene, or anything that Scene() takes. Give one of these for the members:
 
-    `function` gets a World at the scene's start, and returns a dict: name -> number, or name -> (dimensions, array) as
-    in xarray. Names, dimensions and shapes must be the same in all members. A name that is its own only dimension is
-    a coordinate. It must be picklable; functions of a script are.
+    - `seeds`: whole numbers for world.seed. The data set gets the dimension "seed".
+    - `records`: numbers of records in the scene's spectrum file, from 0, for ocean.record. The dimension is "record".
+    - `parameters`: a list of nested dicts of scene values, as Scene.with_values() takes. The dimension is "member".
+      Each parameter also becomes a coordinate, such as "wind.speed_mps".
 
-    With a `folder`, each result is written there when it is done. A later call with equal inputs reads it. Its name is
-    a hash of the scene, the files that it names, the version of Offing, `device`, and the function: its text,
-    that of functions of its module that it names, its defaults and what it closes over.
+    `function` gets a World at the scene's start time. It returns a dict: name -> number, or, as in xarray, name ->
+    (dimensions, array). All members must have the same names, dimensions and shapes. An array whose only dimension
+    has the array's name becomes a coordinate. Dask must be able to pickle the function, so define it in a file.
 
-    `client` says where members run: None or a number for processes of this machine, one by default for each core, each
-    with one thread and its own device; "serial" for this process; the address of a scheduler; or a Client or Cluster
-    of dask.distributed. Results do not depend on it. When a worker dies, Dask repeats its member elsewhere.
+    With `folder`, each result is written there when its member is done. A later call with equal inputs reads it. The
+    file's name is a hash of the scene, the files that the scene names, the version of Offing, `device` and the
+    function. The function counts with its source, default arguments, closure, and functions of its module that it uses.
 
-    `device` is what Device() takes on the workers. progress(done, count) is called after each member. The first error
-    of a member ends the run; results in the folder stay.
+    `client` sets where members run. Results do not depend on it:
+
+    - None: a process for each core of this machine, each with one thread and its own device.
+    - a number: that many such processes.
+    - "serial": this process.
+    - the address of a Dask scheduler, or a Client or Cluster of dask.distributed: its workers.
+
+    Workers open Device(device). progress(done, count) is called after each member. When a worker dies, Dask repeats its
+    member elsewhere. The first member that raises an error ends the run; finished results stay in the folder.
     """
     dimension, labels, changes = _members(seeds, records, parameters)
     scene = _with_absolute_folder(Scene(scene))
@@ -89,7 +94,7 @@ def run(
 
 
 def _members(seeds, records, parameters):
-    """The dimension, its labels, and for each member the nested dict of what it changes in the scene."""
+    """The dimension, its labels, and a nested dict of changed scene values for each member."""
     given = [values for values in (seeds, records, parameters) if values is not None]
     if len(given) != 1:
         raise BadInput(
@@ -111,7 +116,7 @@ def _members(seeds, records, parameters):
 
 
 def _plain(value):
-    """A value in which numbers of numpy are those of Python, which scenes take."""
+    """The value with Python's numbers in place of numpy's, because scenes take only those."""
     if isinstance(value, dict):
         return {key: _plain(of) for key, of in value.items()}
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -120,14 +125,14 @@ def _plain(value):
 
 
 def _with_absolute_folder(scene):
-    """A scene that names the same files on workers with another working folder."""
+    """The scene with an absolute folder, so that workers find its files from any working folder."""
     scene = scene.with_values({})
     scene.folder = pathlib.Path(scene.folder or ".").absolute()
     return scene.with_values({})
 
 
 def _computed(function, scenes, missing, client, device):
-    """Yields (index, result) of the missing members as they are done."""
+    """Computes the missing members; yields (index, result) as each is done."""
     if not missing:
         return
     if client == "serial":
@@ -160,7 +165,7 @@ def _computed(function, scenes, missing, client, device):
 
 @contextlib.contextmanager
 def _naming(index, scene):
-    """Adds to an error which member raised it."""
+    """Adds a note to an error: the member that raised it."""
     try:
         yield
     except Exception as error:
@@ -171,7 +176,7 @@ def _naming(index, scene):
 
 @contextlib.contextmanager
 def _connected(client, member_count):
-    """A client of dask.distributed; what was started here ends with it."""
+    """A client of dask.distributed. Processes that it starts end when the context ends."""
     from dask.distributed import Client, LocalCluster
     from dask.system import CPU_COUNT
 
@@ -204,7 +209,7 @@ def _connected(client, member_count):
 
 @functools.cache
 def _device(selector):
-    """The device of this process, which its members share."""
+    """The device that all members in this process share."""
     return Device(selector)
 
 
@@ -214,7 +219,7 @@ def _compute(function, scene, device):
     if not isinstance(found, dict) or not found:
         raise BadInput(
             f"{_name_of(function)}: expected a dict of results, got {type(found).__name__}",
-            "return name -> number, or name -> (dimensions, array)",
+            'return {"name": number} or {"name": (dimensions, array)}',
         )
     result = {}
     for name, value in found.items():
@@ -225,7 +230,7 @@ def _compute(function, scene, device):
             raise BadInput(
                 f"{_name_of(function)}: {name}: expected an array of numbers or text with {len(dimensions)} "
                 f"dimensions, got {values.ndim} of {values.dtype}",
-                "return (dimensions, array), one name for each axis",
+                'return (dimensions, array) with a name for each axis, such as (("time", "place"), heights)',
             )
         result[name] = dimensions, values
     return result
@@ -235,7 +240,7 @@ def _name_of(function):
     return getattr(function, "__name__", None) or type(function).__name__
 
 
-# Their files
+# The files of results
 
 
 def _names(function, scenes, folder, device):
@@ -257,14 +262,14 @@ def _names(function, scenes, folder, device):
             files.append(folder / f"{name}.npz")
     except TokenizationError as error:
         raise BadInput(
-            f"{_name_of(function)}: expected values of which a hash can be made, for the names of files: {error}",
-            "let it hold numbers, text, arrays and functions only, or leave out folder",
+            f"{_name_of(function)}: expected a function that can be hashed for file names: {error}",
+            "keep only numbers, text, arrays and functions in its defaults and closure, or leave out folder",
         ) from None
     return files
 
 
 def _identity(function, seen):
-    """What the results of a function depend on besides its world."""
+    """Everything but the world that the function's results depend on, for the hash."""
     if isinstance(function, functools.partial):
         values = [*function.args, *itertools.chain(*sorted(function.keywords.items()))]
         return ["partial", _identity(function.func, seen), [_value(value, seen) for value in values]]
@@ -285,7 +290,7 @@ def _value(value, seen):
 
 
 def _text(source):
-    """The text of a function or class; the code of one that was typed in."""
+    """The source of a function or class; the byte code of a function without a source file."""
     try:
         return inspect.getsource(source)
     except (OSError, TypeError):
@@ -299,7 +304,7 @@ def _code(code):
 
 
 def _files_of(values, folder):
-    """The files that a scene names, with those of the same stem beside them, which NDBC's directions are in."""
+    """The files that a scene names, and files of the same stem beside them: NDBC keeps directions there."""
     if isinstance(values, list):
         for value in values:
             yield from _files_of(value, folder)
@@ -322,7 +327,7 @@ def _digest(file):
 
 
 def _write(file, result):
-    """Under its name a file is complete, whatever happens."""
+    """Writes a result. The file gets its name only when it is complete."""
     about = json.dumps([[name, dimensions] for name, (dimensions, _) in result.items()])
     with tempfile.NamedTemporaryFile(dir=file.parent, prefix=".", suffix=".part", delete=False) as part:
         try:
@@ -336,7 +341,7 @@ def _write(file, result):
 
 
 def _read(file):
-    """What _write() wrote; None where there is no file, or a damaged one."""
+    """Reads what _write() wrote; None for a missing or damaged file."""
     try:
         with np.load(file, allow_pickle=False) as data:
             return {
@@ -362,15 +367,15 @@ def _dataset(dimension, labels, changes, scene, results):
             if found[0] != dimensions or found[1].shape != first.shape or result.keys() != results[0].keys():
                 raise BadInput(
                     f"ensemble: expected {name} {dimensions} {first.shape} in every member, "
-                    f"got another one in member {index}",
-                    "give arrays one length, filled up with NaN",
+                    f"found a difference in member {index}",
+                    "return the same names from all members; pad shorter arrays with NaN",
                 )
         values = np.stack([result[name][1] for result in results])
         if dimensions == (name,):
             if not (values == first).all():
                 raise BadInput(
-                    f"ensemble: {name}: expected the same coordinate in every member, got several",
-                    "give it another name than its dimension",
+                    f"ensemble: {name}: expected the same coordinate in every member, found different ones",
+                    f"rename the result, so that its name differs from its dimension {name}",
                 )
             coordinates[name] = first
         elif dimension in (name, *dimensions):
@@ -396,7 +401,7 @@ def _at(values, path):
 
 
 def _column(values):
-    """A coordinate of what a parameter is in each member: numbers, NaN where there is none, else text."""
+    """The values of one parameter as a coordinate: numbers, with NaN where absent; else text."""
     if all(value is None or isinstance(value, (int, float)) for value in values):
         return np.array([np.nan if value is None else value for value in values])
     return np.array([value if isinstance(value, str) else json.dumps(value, default=str) for value in values])

@@ -1,16 +1,17 @@
 """A study of crest heights: `python -m offing.extremes scenes/example_sea.data_spec --seeds 200 -o crests`.
 
 It simulates the elevation at many points for many seeds, and compares the distribution of crest heights with theory.
-Two kinds of heights are counted, both above the mean water level:
+It counts two kinds of heights above the mean water level:
 
-- A crest is the highest point between two zero up-crossings. In a linear sea P(crest > h) <= exp(-h^2 / 2 m0)
-  (Rayleigh), because at least one up-crossing of h lies in each wave whose crest is above h, and Rice (1945) counts
-  those. Low crests are fewer: a wave may cross h twice. High crests follow Rayleigh whatever the bandwidth.
-- A maximum is any local maximum above the mean level. In a linear sea maxima follow Rayleigh's distribution corrected
-  for bandwidth (Cartwright & Longuet-Higgins 1956), exactly and at every height.
+- A crest is the highest point between two zero up-crossings. In a linear sea P(crest > h) <= exp(-h^2 / 2 m0), the
+  Rayleigh distribution. Each wave with a crest above h crosses h upward at least once, and Rice (1945) gives the rate
+  of these crossings. A wave may cross a low level twice, so low crests are rarer than Rayleigh. High crests follow
+  Rayleigh for any bandwidth.
+- A maximum is any local maximum above the mean level. In a linear sea, maxima follow Rayleigh's distribution with a
+  correction for bandwidth (Cartwright & Longuet-Higgins 1956). This is exact at every height.
 
-Theory takes m0, m2 and m4, the moments of angular frequency, from the simulated elevations. Limits are of a bootstrap
-over seeds, which are independent; points and waves of one seed are not.
+Theory takes the spectral moments m0, m2 and m4, in angular frequency, from the simulated elevations. The limits come
+from a bootstrap over seeds. Seeds are independent; points and waves of one seed are not.
 """
 
 import argparse
@@ -32,28 +33,30 @@ from offing.scene import Scene
 from offing.spectrum import Spectrum
 
 GRAVITY_MPS2 = 9.81
-PATCH_WAVELENGTHS = 18  # of the peak, along a side of the patch: at size 256, 14 samples each
-POINTS_A_SIDE = 8  # more than two wavelengths apart
-BIN_SIGMA, BINS_SIGMA = 0.02, 8.0  # heights are counted in bins of this width up to this height
+PATCH_WAVELENGTHS = 18  # peak wavelengths along a side of the patch: at size 256, each has 14 samples
+POINTS_A_SIDE = 8  # these lie more than two peak wavelengths apart
+BIN_SIGMA, BINS_SIGMA = 0.02, 8.0  # width of the bins of heights, and the highest level
 LEVELS_SIGMA = np.arange(1, 25) * 0.25
-FEWEST_COUNTED = 30  # heights above a level that is compared with theory
+FEWEST_COUNTED = 30  # a level with fewer heights above it is not compared with theory
 HIGH_SIGMA = 2.0  # Hs / 2: crests above it follow Rayleigh
-RESAMPLES = 2000
+RESAMPLES = 2000  # of the bootstrap
 
 
-# The theory of linear seas: heights are in standard deviations of the elevation
+# The theory of linear seas. Heights are in standard deviations of the elevation
 
 
 def rayleigh(height):
-    """Share of crests above a height, and for any spectrum an upper bound of it (Rice 1945)."""
+    """Share of crests above a height. For any spectrum it is an upper bound (Rice 1945), and close at high levels."""
     return np.exp(-0.5 * np.square(height))
 
 
 def cartwright_longuet_higgins(height, epsilon):
-    """Share of positive maxima above a height >= 0: that of all maxima, of Cartwright & Longuet-Higgins 1956, The
-    statistical distribution of the maxima of a random function, over its value at 0. Bandwidth: epsilon^2 = 1 - m2^2 /
-    (m0 m4). For 0 it is Rayleigh's distribution."""
-    normal = np.vectorize(lambda x: 0.5 * math.erfc(-x / math.sqrt(2.0)))  # its distribution function
+    """Share of positive maxima above a height >= 0.
+
+    It is the share of all maxima above the height, divided by the share above 0. Source: Cartwright & Longuet-Higgins
+    1956, The statistical distribution of the maxima of a random function. The bandwidth is epsilon^2 = 1 - m2^2 /
+    (m0 m4). As it goes to 0, the distribution becomes Rayleigh's."""
+    normal = np.vectorize(lambda x: 0.5 * math.erfc(-x / math.sqrt(2.0)))  # the normal distribution function
     regular = math.sqrt(1.0 - epsilon**2)
     height = np.asarray(height, dtype=float)
     above = normal(-height / epsilon) + regular * rayleigh(height) * normal(height * regular / epsilon)
@@ -64,8 +67,9 @@ def cartwright_longuet_higgins(height, epsilon):
 
 
 def with_peaks(elevation_m):
-    """The series with each local maximum raised to the top of the parabola through it and its neighbours, and where
-    these are."""
+    """The series with raised local maxima, and a mask of these maxima.
+
+    Each is raised to the top of the parabola through it and its two neighbours."""
     before, here, after = elevation_m[:-2], elevation_m[1:-1], elevation_m[2:]
     is_maximum = np.zeros(elevation_m.shape, dtype=bool)
     is_maximum[1:-1] = (here > before) & (here >= after)
@@ -76,7 +80,8 @@ def with_peaks(elevation_m):
 
 
 def refined(elevation_m):
-    """Between each two times a third, by polynomials of degree 7 through 8 times; 3 times at each end are lost."""
+    """The series at half its time step. A polynomial of degree 7 through 8 samples gives each new one; 3 samples at
+    each end are lost."""
     count = len(elevation_m) - 7
     between = sum(
         weight * (elevation_m[3 - i : 3 - i + count] + elevation_m[4 + i : 4 + i + count])
@@ -88,8 +93,10 @@ def refined(elevation_m):
 
 
 def crest_heights(elevation_m, end):
-    """Heights of the crests of all points: the highest of each wave from one zero up-crossing to the next. Of waves
-    that begin before index `end`: without those that the series cuts off, which are longer and higher than others."""
+    """Crest heights at all points: the highest elevation between one zero up-crossing and the next.
+
+    It counts waves that begin before index `end`. The series must be longer, so that it cuts off none of these: long
+    waves, which are higher, would be cut off more often."""
     raised, _ = with_peaks(elevation_m)
     heights = [np.zeros(0)]
     for series, peaks in zip(elevation_m.T, raised.T, strict=True):
@@ -100,15 +107,16 @@ def crest_heights(elevation_m, end):
 
 
 def maximum_heights(elevation_m, end):
-    """Heights of the positive local maxima of all points before index `end`."""
+    """Heights of positive local maxima at all points, before index `end`."""
     raised, is_maximum = with_peaks(elevation_m)
     heights = raised[:end][is_maximum[:end]]
     return heights[heights > 0.0]
 
 
 def moments(elevation_m, step_s):
-    """m0 (m^2), m2 (m^2/s^2) and m4 (m^2/s^4): mean squares of the elevation and its first two derivatives, by central
-    differences of eighth order."""
+    """m0 (m^2), m2 (m^2/s^2) and m4 (m^2/s^4): mean squares of the elevation and its first two derivatives.
+
+    Central differences of eighth order give the derivatives."""
     first = np.array([0.0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / step_s
     second = np.array([-205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560]) / step_s**2
     inner = slice(4, len(elevation_m) - 4)
@@ -122,9 +130,10 @@ def moments(elevation_m, step_s):
 
 
 def counted(elevation_m, *, unit_m, step_s, end):
-    """What is counted in series [time, point] before index `end`: numbers of crests and maxima in bins of BIN_SIGMA
-    `unit_m`; moments."""
-    # Four times as many times: a low crest may be shorter than a step, and lie between two.
+    """Counts of crests and maxima before index `end` of elevations [time, point], and the moments.
+
+    The bins of heights are BIN_SIGMA * unit_m wide."""
+    # A quarter of the time step: a low crest may be shorter than a step and fall between two samples.
     fine = refined(refined(elevation_m))
     edges = np.append(np.arange(0.0, BINS_SIGMA, BIN_SIGMA), np.inf) * unit_m
     crests, maxima = crest_heights(fine, 4 * end), maximum_heights(fine, 4 * end)
@@ -137,13 +146,13 @@ def counted(elevation_m, *, unit_m, step_s, end):
 
 
 def study_member(world, *, unit_m, duration_s, spare_s, step_s):
-    """What is counted in the sea of one seed in the time duration_s; in spare_s after it, waves end."""
+    """The counts for the sea of one seed over duration_s. Waves that have begun by then end during spare_s."""
     [patch_m], size = world.patch_lengths_m, world.size
-    places_m = np.arange(POINTS_A_SIDE) * (size // POINTS_A_SIDE) * (patch_m / size)  # samples of the map, exact there
+    places_m = np.arange(POINTS_A_SIDE) * (size // POINTS_A_SIDE) * (patch_m / size)  # samples of the map: exact there
     points_m = np.stack(np.meshgrid(places_m, places_m), axis=-1).reshape(-1, 2)
     times_s = np.arange(round((duration_s + spare_s) / step_s)) * step_s
     elevation_m = np.stack([world.at(time_s).sample(points_m, flow=False).height_m for time_s in times_s]).astype(float)
-    # Choppiness moves the mean level at a place; heights are above it.
+    # Choppiness moves the mean level at a fixed place. Heights count from the mean.
     elevation_m -= elevation_m.mean() if world.scene.values["ocean"]["choppiness"] else 0.0
     return counted(elevation_m, unit_m=unit_m, step_s=step_s, end=round(duration_s / step_s))
 
@@ -152,11 +161,11 @@ def study_member(world, *, unit_m, duration_s, spare_s, step_s):
 
 
 def exceedance(counts, unit_in_sigma, levels):
-    """Share of heights above each level, in sigma. counts [..., bin] of bins of BIN_SIGMA units."""
+    """Share of heights above each level. Levels are in sigma; counts [..., bin] have bins of BIN_SIGMA units."""
     above = np.concatenate(
         [np.cumsum(counts[..., ::-1], axis=-1)[..., ::-1], np.zeros((*counts.shape[:-1], 1))], axis=-1
     )
-    # The last bin has no end: what is in it stays above every level.
+    # The last bin has no upper end: its heights lie above every level.
     place = np.clip(levels / unit_in_sigma / BIN_SIGMA, 0, counts.shape[-1] - 1)
     index = np.minimum(place.astype(int), counts.shape[-1] - 2)
     low = np.take_along_axis(above, index, axis=-1)
@@ -165,7 +174,9 @@ def exceedance(counts, unit_in_sigma, levels):
 
 
 def analyse(members, unit_m, seed=1):
-    """The table of a study: a dict of arrays over levels, and figures. `members` is the data set of study_member()."""
+    """The results of a study: its table, a dict with an array over levels for each column, and single numbers.
+
+    `members` is the data set of all study_member() results; `seed` is that of the bootstrap."""
     spectral = members["moments"].values
     random = np.random.default_rng(seed)
     count = len(spectral)
@@ -192,7 +203,7 @@ def analyse(members, unit_m, seed=1):
             weights @ counts, unit_m / sigmas_m, np.broadcast_to(LEVELS_SIGMA, (RESAMPLES, len(LEVELS_SIGMA)))
         )
         expected = theory(epsilon)
-        # Of the theory in epsilon, to follow that of each resample.
+        # The theory's slope in epsilon, because each resample has an epsilon of its own.
         slope = (theory(epsilon + 1e-4) - theory(epsilon - 1e-4)) / 2e-4
         differences = shares - expected - (epsilon_of(resampled)[:, None] - epsilon) * slope
         error = differences.std(axis=0)
@@ -201,12 +212,12 @@ def analyse(members, unit_m, seed=1):
             is_compared &= LEVELS_SIGMA >= HIGH_SIGMA
         deviation = np.zeros(len(LEVELS_SIGMA))
         deviation[is_compared] = (share - expected)[is_compared] / error[is_compared]
-        # Half the width of the band in standard errors, for which 95 % of resamples are inside at all levels at once.
+        # Half the width of the band in standard errors: 95 % of resamples lie inside it at all levels at once.
         largest = np.abs((differences - (share - expected))[:, is_compared] / error[is_compared]).max(
             axis=1, initial=0.0
         )
         width = float(np.quantile(largest, 0.95))
-        # As Student's t is wider than the normal distribution, where seeds are few.
+        # With few seeds the band is wider, as Student's t is wider than the normal distribution.
         width *= math.sqrt(count / (count - 1)) * (1.0 + (width**2 + 1.0) / (4.0 * (count - 1)))
         table[kind] = share
         table[f"{kind}_low"], table[f"{kind}_high"] = np.quantile(shares, [0.025, 0.975], axis=0)
@@ -226,7 +237,7 @@ def analyse(members, unit_m, seed=1):
 
 
 def peak_wavelength_m(period_s, depth_m):
-    """Of linear waves of a period: Newton's method for k tanh(k D) = w^2 / g."""
+    """The wavelength of linear waves of a period: Newton's method for k tanh(k D) = w^2 / g."""
     deep = (2.0 * math.pi / period_s) ** 2 / GRAVITY_MPS2
     if not math.isfinite(depth_m):
         return 2.0 * math.pi / deep
@@ -238,8 +249,10 @@ def peak_wavelength_m(period_s, depth_m):
 
 
 def study_scene(scene, depth_m, *, size, choppiness):
-    """The sea of a scene alone, in one patch, without what is not random: swells, drops, Gerstner waves and loops. Its
-    samples lie at multiples of 1/64 m, which float32 has exactly."""
+    """A scene with only the random sea of another, in one patch.
+
+    Swells, raindrops, Gerstner waves, wakes, foam, shoals and a loop are left out. Samples lie at multiples of 1/64 m,
+    which float32 represents exactly."""
     values = {"ocean": {}} | {key: scene.values[key] for key in ("world", "wind", "ocean") if key in scene.values}
     patch_m = PATCH_WAVELENGTHS * peak_wavelength_m(scene.sea_state()["tp_s"], depth_m)
     patch_m = max(round(64.0 * patch_m / size), 1) / 64.0 * size
@@ -262,12 +275,14 @@ def run_study(
     device=None,
     progress=None,
 ):
-    """The distribution of crest heights of a scene's sea: see analyse(). The arguments are those of the program."""
+    """Runs the study for a scene's sea; returns a dict of its results, with the table of crest heights.
+
+    The arguments are options of the program; `folder`, `client`, `device` and `progress` go to ensemble.run()."""
     scene = Scene(scene)
     asked = scene.sea_state()
     scene = study_scene(scene, _depth_m(scene), size=size, choppiness=choppiness)
     unit_m = asked["hs_m"] / 4.0
-    if step_s is None:  # 7 steps a period of the shortest waves along the axes of the grid, in whole 1/64 s
+    if step_s is None:  # in whole 1/64 s: a seventh of the shortest period on the grid's axes
         step_s = max(round(64.0 * asked["tp_s"] / (7.0 * math.sqrt(size / (2.0 * PATCH_WAVELENGTHS)))), 1) / 64.0
     member = functools.partial(
         study_member, unit_m=unit_m, duration_s=duration_s, spare_s=4.0 * asked["tp_s"], step_s=step_s
@@ -290,7 +305,7 @@ def run_study(
 
 
 def _depth_m(scene):
-    """Of the scene, else of its spectrum; infinity where not known."""
+    """The depth of the scene, else of its spectrum; infinity if neither has one."""
     ocean, spectrum = scene.values.get("ocean", {}), scene._spectrum
     if "depth_m" in ocean:
         return float(ocean["depth_m"])
@@ -299,11 +314,11 @@ def _depth_m(scene):
     return spectrum.depth_m if spectrum is not None and spectrum.depth_m > 0 else math.inf
 
 
-# What is written
+# Output
 
 
 def table_rows(found):
-    """The rows of the table: a dict for each level that some height is above."""
+    """The rows of the table: a dict for each level that at least one height exceeds."""
     table = found["table"]
     rows = [{name: float(values[i]) for name, values in table.items()} for i in range(len(table["level_m"]))]
     return [row for row in rows if row["maxima"] > 0.0]
@@ -335,7 +350,7 @@ def simulated_time(found):
 
 
 def plot(found, file):
-    """Both distributions with their limits and theory, as PNG."""
+    """Writes a PNG of both distributions with their limits and theory."""
     import matplotlib
     from matplotlib.figure import Figure
 
@@ -412,26 +427,28 @@ class Parser(argparse.ArgumentParser):
 def parse(arguments):
     parser = Parser(
         prog="python -m offing.extremes",
-        description="The distribution of crest heights of a sea, with limits.",
+        description="Simulate a sea for many seeds, and compare its crest heights with theory, with 95 % limits.",
         allow_abbrev=False,
     )
     parser.add_argument(
-        "sea", nargs="?", help="spectrum file of a buoy or model, or scene (.toml); without it, wind and fetch count"
+        "sea", nargs="?", help="spectrum file of a buoy or model, or scene (.toml); without it, a JONSWAP sea"
     )
     parser.add_argument("--record", type=int, default=0, help="record of the spectrum file, from 0 (0)")
-    parser.add_argument("--wind-speed-mps", type=float, default=15.0, help="wind of a JONSWAP sea (15)")
-    parser.add_argument("--fetch-m", type=float, default=100000.0, help="its fetch (100000)")
-    parser.add_argument("--seeds", type=int, default=40, help="how many seas to simulate, from seed 1 on (40)")
-    parser.add_argument("--duration-s", type=float, default=1200.0, help="time simulated of each (1200)")
-    parser.add_argument("--step-s", type=float, help="time step (a seventh of the shortest period of the grid)")
-    parser.add_argument("--choppiness", type=float, default=0.0, help="0: linear sea (0)")
+    parser.add_argument("--wind-speed-mps", type=float, default=15.0, help="wind speed of the JONSWAP sea (15)")
+    parser.add_argument("--fetch-m", type=float, default=100000.0, help="fetch of the JONSWAP sea (100000)")
+    parser.add_argument("--seeds", type=int, default=40, help="number of seeds, at least 10; they start at 1 (40)")
+    parser.add_argument("--duration-s", type=float, default=1200.0, help="simulated time for each seed (1200)")
+    parser.add_argument("--step-s", type=float, help="time step (a seventh of the grid's shortest period)")
     parser.add_argument(
-        "--size", type=int, default=256, help="samples along a side of the patch of 18 peak wavelengths (256)"
+        "--choppiness", type=float, default=0.0, help="how much crests are sharpened; 0 is a linear sea (0)"
     )
     parser.add_argument(
-        "--client", help='"serial", a number of processes, or the address of a Dask scheduler (a process a core)'
+        "--size", type=int, default=256, help="samples along each side of the patch of 18 peak wavelengths (256)"
     )
-    parser.add_argument("--device", help="OpenCL device of the workers, as `offing devices` lists it")
+    parser.add_argument(
+        "--client", help="a number of processes, serial, or the address of a Dask scheduler (a process for each core)"
+    )
+    parser.add_argument("--device", help="OpenCL device of the workers, as in the list of `offing devices`")
     parser.add_argument(
         "-o",
         "--output",
@@ -472,7 +489,7 @@ def scene_of(options):
 
 
 def write_all(found, name):
-    """NAME.csv, .json and .png; each has its name only when it is complete."""
+    """Writes NAME.csv, .json and .png. Each file gets its name only when it is complete."""
     writers = {
         ".csv": write_table,
         ".png": plot,
@@ -501,7 +518,7 @@ def show_progress(done, count):
 def run_program(arguments):
     options = parse(arguments)
     if options.output is not None:
-        import matplotlib  # noqa: F401  before the work: without it, -o fails
+        import matplotlib  # noqa: F401  fails here, before the work, if it is not installed
 
         for ending in (".csv", ".json", ".png"):
             if os.path.lexists(options.output + ending) and not options.force:
@@ -536,7 +553,7 @@ def run_program(arguments):
 
 
 def main(arguments=None):
-    """Runs the program; returns its exit code: 0, 1 failed, 2 wrong input, 3 no device, 130 interrupted."""
+    """Runs the program; returns its exit code: 0, 1 failed, 2 bad input, 3 no device, 130 interrupted."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         run_program(arguments)
@@ -566,7 +583,7 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    # Workers import functions by name: they must not be those of __main__.
+    # Workers import functions by module name, and __main__ would name another module there.
     from offing.extremes import main as imported_main
 
     sys.exit(imported_main())
