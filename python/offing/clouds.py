@@ -1,5 +1,7 @@
 """Clouds of a scene: their particles, their extinction and pictures of them."""
 
+from __future__ import annotations
+
 import numpy as np
 import numpy.typing as npt
 

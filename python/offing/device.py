@@ -1,5 +1,7 @@
 """OpenCL devices."""
 
+from __future__ import annotations
+
 from offing import _core
 from offing.drivers import find_installed_drivers
 

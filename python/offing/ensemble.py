@@ -190,7 +190,7 @@ def _connected(client, member_count):
                 n_workers=workers,
                 threads_per_worker=1,
                 processes=True,
-                dashboard_address=None,
+                dashboard_address=":0",  # any free port: no warning where 8787 is taken
                 env=environment,
                 preload=[NO_INTERRUPT],
                 silence_logs=logging.ERROR,
@@ -203,7 +203,14 @@ def _connected(client, member_count):
         with cluster, Client(cluster) as connection:
             yield connection
     else:
-        with Client(client) as connection:
+        try:
+            connection = Client(client)
+        except (ValueError, OSError) as error:
+            raise BadInput(
+                f"client: expected the address of a Dask scheduler that runs, got {client!r}: {error}",
+                'start one by "dask scheduler", and give its address such as "tcp://host:8786"',
+            ) from None
+        with connection:
             yield connection
 
 

@@ -1,5 +1,7 @@
 """Meshes: triangles from files and arrays, and their curvatures."""
 
+from __future__ import annotations
+
 import os
 from typing import NamedTuple
 

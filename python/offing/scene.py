@@ -1,5 +1,7 @@
 """Scenes: the settings of a world, as files, text or dicts."""
 
+from __future__ import annotations
+
 import copy
 import datetime
 import json

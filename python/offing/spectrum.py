@@ -1,5 +1,7 @@
 """Wave spectra from files, arrays, models and xarray data sets of wavespectra."""
 
+from __future__ import annotations
+
 import math
 import os
 

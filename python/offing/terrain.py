@@ -1,5 +1,7 @@
 """Terrain: height maps, rays, lines of sight and viewsheds."""
 
+from __future__ import annotations
+
 import math
 import os
 from typing import NamedTuple

@@ -1,5 +1,7 @@
 """Worlds: the simulations of a scene on a device, at any time."""
 
+from __future__ import annotations
+
 import functools
 from collections.abc import Callable, Iterable
 
