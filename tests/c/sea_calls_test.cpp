@@ -47,8 +47,8 @@ TEST_F(SeaCallsTest, FillsTheArraysThatAreWanted) {
   query.min_wavelength_m = 4.0;
   std::array<float, 3> height{}, pressure{}, residual{};
   std::array<float, 9> normal{}, velocity{};
-  const OffingWater all{sizeof all,      height.data(),   normal.data(),
-                        velocity.data(), pressure.data(), residual.data(), nullptr};
+  const OffingWater all{sizeof all,      height.data(),   normal.data(), velocity.data(),
+                        pressure.data(), residual.data(), nullptr};
   ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_OK) << offing_last_error();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(height[i], expected[i].height_m);
