@@ -83,7 +83,7 @@ class Renderer : public scene::SceneRenderer {
   }
 
   void draw(const scene::PictureRequest& request) override {
-    constexpr int longest_px = 16384;
+    constexpr int longest_px = scene::longest_picture_px;
     if (std::min(request.width_px, request.height_px) < 1 ||
         std::max(request.width_px, request.height_px) > longest_px) {
       throw Error(ErrorKind::bad_usage,

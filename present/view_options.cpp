@@ -25,6 +25,7 @@
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/file/version.h"
+#include "host/scene/prepare/scene_renderer.h"
 #include "present/output/image_file.h"
 #include "present/output/video_pipe.h"
 #include "present/window/scene_sources.h"
@@ -346,7 +347,7 @@ void use_sources(const std::filesystem::path& checkout) {
 }
 
 ImageSize read_size(std::string_view flag, std::string_view text) {
-  constexpr int largest = 16384;
+  constexpr int largest = scene::longest_picture_px;
   ImageSize size;
   const char* end = text.data() + text.size();
   const auto [cross, width_error] = std::from_chars(text.data(), end, size.width);

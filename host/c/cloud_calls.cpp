@@ -12,6 +12,7 @@
 #include "host/clouds/image/billboard_textures.h"
 #include "host/clouds/shape/cloud_density.h"
 #include "host/scene/prepare/own_billboards.h"
+#include "host/scene/prepare/scene_renderer.h"
 
 using offing::Error;
 using offing::ErrorKind;
@@ -35,7 +36,7 @@ offing::Camera camera_of(const OffingCamera& given) {
                               .width_px = given.width_px,
                               .height_px = given.height_px};
   offing::require_valid(camera);
-  constexpr int longest_px = 16384;  // as offing_render() has it
+  constexpr int longest_px = offing::scene::longest_picture_px;
   if (std::max(camera.width_px, camera.height_px) > longest_px) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("camera: expected sides within [1, {}], got {} x {}", longest_px, camera.width_px,

@@ -70,7 +70,7 @@ offing::ocean::WaterQuery query_of(const OffingWaterQuery* given, bool wants_flo
   using Fields = offing::ocean::WaterQuery::Fields;
   return {.depth_m = query.depth_m,
           .min_wavelength_m = query.min_wavelength_m,
-          .fields = wants_flow ? Fields::surface_and_flow : Fields::surface};
+          .fields = wants_flow && query.is_surface_only == 0 ? Fields::surface_and_flow : Fields::surface};
 }
 
 /// Which component of the velocity a field is, 0 to 2; -1: none.
@@ -128,8 +128,7 @@ void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const Offin
   std::optional<offing::ocean::VelocityFields> velocity;  // all three components are read together
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i] == OFFING_FOAM) {
-      const std::vector<float> foam = ocean.read_foam(cascade);
-      std::copy(foam.begin(), foam.end(), values[i]);
+      ocean.foam_map().read({values[i], count}, count * static_cast<std::size_t>(cascade));
     } else if (const int component = velocity_component(fields[i]); component >= 0) {
       if (!velocity) velocity = ocean.read_velocity(cascade);
       const std::vector<float>& found =
@@ -139,17 +138,6 @@ void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const Offin
   }
 }
 
-/// Grows the particles of clouds, which takes longest, ahead of the world, whose making cannot be stopped.
-offing::world::WorldParameters with_particles(const offing::ocl::Device& device,
-                                              offing::world::WorldParameters parameters,
-                                              const offing::CancelToken& cancel, const offing::Work& work) {
-  const auto tell = [&](const offing::world::CloudProgress& progress) {
-    work.tell((static_cast<double>(progress.done) + progress.share) / static_cast<double>(progress.all));
-  };
-  parameters.clouds = offing::world::CloudGrower(device).grown(std::move(*parameters.clouds), cancel, tell);
-  return parameters;
-}
-
 /// The world as offing-view shows it, with its camera placed.
 std::unique_ptr<OffingWorld> made_world(const offing::ocl::Device& device, offing::scene::Scene scene,
                                         const offing::c::WatchedWork& watched) {
@@ -157,8 +145,14 @@ std::unique_ptr<OffingWorld> made_world(const offing::ocl::Device& device, offin
   const offing::Work& work = watched.work();
   offing::world::WorldParameters parameters = offing::scene::prepare_shown_world(scene);
   work.tell(prepared);
-  if (parameters.clouds && watched.is_watched())
-    parameters = with_particles(device, std::move(parameters), watched.cancel(), work.part(prepared, grown));
+  if (watched.is_watched()) {
+    const offing::Work growing = work.part(prepared, grown);
+    offing::world::grow_clouds(device, parameters, watched.cancel(),
+                               [&](const offing::world::CloudProgress& progress) {
+                                 growing.tell((static_cast<double>(progress.done) + progress.share) /
+                                              static_cast<double>(progress.all));
+                               });
+  }
   auto world = std::make_unique<OffingWorld>(scene, device, parameters);
   work.tell(made);
   world->camera = offing::scene::show_at(world->world, world->scene, world->scene.time.start_s).camera;
@@ -243,9 +237,8 @@ OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* que
     require(points_m, "points_m");
     require(water, "water");
     const OffingWater wanted = offing::c::read_struct(water, "water");
-    const bool is_surface_only = offing::c::read_struct(query, "query").is_surface_only != 0;
-    const bool wants_flow = !is_surface_only && (wanted.velocity_mps != nullptr ||
-                                                 wanted.pressure_pa != nullptr || wanted.samples != nullptr);
+    const bool wants_flow =
+        wanted.velocity_mps != nullptr || wanted.pressure_pa != nullptr || wanted.samples != nullptr;
     static_assert(sizeof(offing::ocean::WaterPoint) == 2 * sizeof(double));
     const std::span places(reinterpret_cast<const offing::ocean::WaterPoint*>(points_m), count);
     world->world.sample(

@@ -55,4 +55,11 @@ CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken&
   return sky;
 }
 
+void grow_clouds(const ocl::Device& device, WorldParameters& parameters, const CancelToken& cancel,
+                 const std::function<void(CloudProgress)>& progress) {
+  if (parameters.clouds) {
+    parameters.clouds = CloudGrower(device).grown(std::move(*parameters.clouds), cancel, progress);
+  }
+}
+
 }  // namespace offing::world

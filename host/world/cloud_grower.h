@@ -6,6 +6,7 @@
 
 #include "host/base/work.h"
 #include "host/ocl/device.h"
+#include "host/world/world.h"
 #include "host/world/world_clouds.h"
 
 namespace offing::world {
@@ -39,5 +40,10 @@ class CloudGrower {
   ocl::Device device_;
   std::vector<Form> known_;
 };
+
+/// Gives the clouds of a world their particles ahead of it, if it has any: making them takes longest, and
+/// making a world cannot be stopped. As CloudGrower::grown().
+void grow_clouds(const ocl::Device& device, WorldParameters& parameters, const CancelToken& cancel,
+                 const std::function<void(CloudProgress)>& progress = {});
 
 }  // namespace offing::world

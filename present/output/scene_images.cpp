@@ -13,11 +13,9 @@
 namespace offing::present {
 namespace {
 
-/// Grows the particles of clouds ahead of the world, whose making cannot be stopped.
 world::WorldParameters with_particles(const ocl::Device& device, world::WorldParameters parameters,
                                       const CancelToken& cancel) {
-  if (parameters.clouds)
-    parameters.clouds = world::CloudGrower(device).grown(std::move(*parameters.clouds), cancel);
+  world::grow_clouds(device, parameters, cancel);
   return parameters;
 }
 

@@ -70,7 +70,7 @@ def run(
     member elsewhere. The first member that raises an error ends the run; finished results stay in the folder.
     """
     dimension, labels, changes = _members(seeds, records, parameters)
-    scene = _with_absolute_folder(Scene(scene))
+    scene = Scene(scene)
     scenes = [scene.with_values(of_member) for of_member in changes]  # raises for bad values before anything runs
     files = _names(function, scenes, folder, device)
     results = [file and _read(file) for file in files]
@@ -122,13 +122,6 @@ def _plain(value):
     if isinstance(value, (list, tuple, np.ndarray)):
         return [_plain(of) for of in value]
     return value.item() if isinstance(value, np.generic) else value
-
-
-def _with_absolute_folder(scene):
-    """The scene with an absolute folder, so that workers find its files from any working folder."""
-    scene = scene.with_values({})
-    scene.folder = pathlib.Path(scene.folder or ".").absolute()
-    return scene.with_values({})
 
 
 def _computed(function, scenes, missing, client, device):

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from offing import _core
+from offing.arrays import rows
 from offing.device import Device
 from offing.errors import BadInput
 
@@ -41,8 +42,8 @@ class Mesh:
         elif triangles is None:
             raise ValueError("triangles: expected an array [m, 3] beside vertices")
         else:
-            vertices_m = _table("vertices", np.asarray(source, dtype=np.float64))
-            self._mesh = _core.Mesh.make(vertices_m, _indices(_table("triangles", np.asarray(triangles)), len(vertices_m)))
+            vertices_m = rows("vertices", source, 3)
+            self._mesh = _core.Mesh.make(vertices_m, _indices(np.asarray(triangles), len(vertices_m)))
 
     @property
     def info(self):
@@ -80,14 +81,10 @@ class Mesh:
         return f"<offing.Mesh {info['vertices']} vertices, {info['triangles']} triangles>"
 
 
-def _table(name, values):
-    if values.ndim != 2 or values.shape[1] != 3:
-        raise ValueError(f"{name}: expected an array [n, 3], got one of shape {values.shape}")
-    return np.ascontiguousarray(values)
-
-
 def _indices(triangles, vertices):
     """Triangles as uint32. Checked first, because numpy would wrap negative and larger numbers."""
+    if triangles.ndim != 2 or triangles.shape[1] != 3:
+        raise ValueError(f"triangles: expected an array [m, 3], got one of shape {triangles.shape}")
     if not np.issubdtype(triangles.dtype, np.integer):
         raise ValueError(f"triangles: expected whole numbers, got {triangles.dtype}")
     is_outside = ((triangles < 0) | (triangles >= vertices)).any(axis=1)
@@ -95,4 +92,4 @@ def _indices(triangles, vertices):
         first = int(np.argmax(is_outside))
         raise BadInput(f"triangles[{first}]: expected vertices 0 ... {vertices - 1}, got {triangles[first].tolist()}",
                        "count vertices from 0 on, and give all vertices that triangles name")
-    return triangles.astype(np.uint32)
+    return np.ascontiguousarray(triangles, dtype=np.uint32)

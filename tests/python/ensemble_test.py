@@ -181,7 +181,7 @@ def test_names(tmp_path):
     scene = offing.Scene(SEA)
 
     def name(function=heights, scene=scene, device=None):
-        return ensemble._names(function, [ensemble._with_absolute_folder(scene)], tmp_path, device)[0]
+        return ensemble._names(function, [scene], tmp_path, device)[0]
 
     def closing_over(value):
         return lambda world: {"a": value}

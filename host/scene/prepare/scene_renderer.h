@@ -9,6 +9,9 @@
 
 namespace offing::scene {
 
+/// The longest side of a picture.
+inline constexpr int longest_picture_px = 16384;
+
 /// A picture that is asked for, and where it goes; an empty span: not wanted.
 struct PictureRequest {
   double time_s = 0.0;
