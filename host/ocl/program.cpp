@@ -100,7 +100,7 @@ Handle<cl_program> compile(const detail::DeviceState& device, std::string_view s
   if (is_out_of_memory(status)) throw_status(status, "clBuildProgram", source_name);
   throw Error(ErrorKind::build_failed,
               fmt::format("kernels/{} does not build for {} ({}): {}", source_name, device.info.name,
-                          status_name(status), first_error(log)),
+                          status_name(status), at_true_line(source, first_error(log))),
               "update the device's OpenCL driver or choose another --device; --verbose prints the whole log");
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -139,6 +140,30 @@ std::string assemble_source(std::string_view source_name) {
   Assembler assembler;
   assembler.add(source_name, "Program::build");
   return assembler.take();
+}
+
+std::string at_true_line(std::string_view source, const std::string& message) {
+  static const std::regex position("^([^:]+):([0-9]{1,9}):");
+  std::smatch found;
+  if (!std::regex_search(message, found, position)) return message;
+  const int wanted = std::stoi(found[2]);
+  std::istringstream lines{std::string(source)};
+  std::string line, label;
+  int number = 0;  // of the next line in its file
+  for (int at = 1; std::getline(lines, line); ++at) {
+    std::smatch directive;
+    static const std::regex line_directive("^#line ([0-9]+) \"(.*)\"$");
+    if (std::regex_match(line, directive, line_directive)) {
+      number = std::stoi(directive[1]);
+      label = directive[2];
+      if (label == found[1]) return message;  // the driver has read the directives
+    } else if (at == wanted && !label.empty()) {
+      return fmt::format("{}:{}:{}", label, number, found.suffix().str());
+    } else {
+      ++number;
+    }
+  }
+  return message;
 }
 
 std::vector<std::string> replaced_files(std::string_view source_name) {

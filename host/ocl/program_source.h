@@ -14,6 +14,10 @@ namespace offing::ocl {
 /// text. Throws Error(build_failed) that names the missing file and the line that includes it.
 std::string assemble_source(std::string_view source_name);
 
+/// A compiler's message with the file and line that it means, where it begins with a line of the assembled
+/// source ("<kernel>:9:"): some drivers ignore `#line` directives.
+std::string at_true_line(std::string_view source, const std::string& message);
+
 /// The files of this source that OFFING_KERNEL_PATH replaces with another text, by their names below
 /// kernels/.
 std::vector<std::string> replaced_files(std::string_view source_name);

@@ -27,6 +27,10 @@ bool is_pocl(const DeviceInfo& info) {
   return info.platform == "Portable Computing Language";
 }
 
+bool is_nvidia(const DeviceInfo& info) {
+  return info.platform == "NVIDIA CUDA";
+}
+
 bool is_intel_cpu(const DeviceInfo& info) {
   return info.platform == "Intel(R) OpenCL" && info.type == DeviceType::cpu;
 }
@@ -115,7 +119,11 @@ std::size_t usual_group_size(const DeviceInfo& info) {
 }
 
 // Oclgrind 21.10 aborts on what its compiler makes of `restrict` parameters in inlined helpers
-// (https://github.com/jrprice/Oclgrind). Without the word the kernels mean the same.
+// (https://github.com/jrprice/Oclgrind). Without the word the kernels mean the same. It also compiles the
+// builtin that prefetches, and then does not find it.
+//
+// NVIDIA's driver (580.159) has that builtin too, with a parameter that is in no address space that OpenCL C
+// 1.2 can name: kernels in vectors do not build.
 //
 // Intel's OpenCL for the CPU (2026.22.10 and earlier) mixes up private values that live across a barrier: a
 // negated value that is used before and after it is that of the work-group's last work-item for all of them
@@ -126,7 +134,8 @@ std::size_t usual_group_size(const DeviceInfo& info) {
 // reads it: all transforms by work-groups were wrong there. PoCL 3.1 does not. Reads of volatile memory stay
 // in their place.
 std::string build_options(const DeviceInfo& info) {
-  if (is_oclgrind(info)) return " -Drestrict=";
+  if (is_oclgrind(info)) return " -Drestrict= -DNO_PREFETCH";
+  if (is_nvidia(info)) return " -DNO_PREFETCH";
   if (is_pocl(info)) return " -DFFT_EXCHANGE_IS_VOLATILE";
   if (is_intel_cpu(info)) return " -DFFT_FIELDS_IN_LOOP";
   return "";

@@ -65,9 +65,7 @@ class CrossDeviceTest : public testing::Test {
   void expect_clean(const std::string& shape, int size) const {
     if (!has("command -v oclgrind")) GTEST_SKIP() << "oclgrind is not installed";
     // Oclgrind 21.10 compiles the builtin prefetch, and does not know it when it runs.
-    const std::string prefix = "OFFING_SHAPE=" + shape +
-                               " oclgrind --build-options -DFFT_NO_PREFETCH --data-races --log " +
-                               path("log");
+    const std::string prefix = "OFFING_SHAPE=" + shape + " oclgrind --data-races --log " + path("log");
     expect_same_sea(dump(prefix, size), dump(default_device, size), size);
     EXPECT_EQ(text_of("log"), "") << shape << " " << size;
   }

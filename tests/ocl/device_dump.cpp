@@ -34,9 +34,7 @@ std::vector<float> DeviceDump::values(const std::string& prefix) const {
 
 std::vector<float> DeviceDump::values_under_oclgrind(const std::string& shape) const {
   // Oclgrind 21.10 compiles the builtin prefetch, and does not know it when it runs.
-  std::vector<float> result =
-      values("OFFING_SHAPE=" + shape + " oclgrind --build-options -DFFT_NO_PREFETCH --data-races --log " +
-             path("log"));
+  std::vector<float> result = values("OFFING_SHAPE=" + shape + " oclgrind --data-races --log " + path("log"));
   EXPECT_EQ(text_of(path("log")), "") << shape;
   return result;
 }

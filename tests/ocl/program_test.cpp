@@ -77,7 +77,6 @@ TEST_F(ProgramTest, IncludesEachFileOnce) {
 
 // Fails if a message counts lines of the assembled text instead of the file's.
 TEST_F(ProgramTest, NamesTheTrueFileAndLine) {
-  if (device_.info().platform == "Oclgrind") GTEST_SKIP() << "Oclgrind's compiler ignores #line";
   kernels_.write("long.clh", "// 1\n// 2\n// 3\n");
   kernels_.write("deep.clh",
                  "// 1\n#include \"long.clh\"\nint broken(int x) { return undeclared_in_deep; }\n");
@@ -87,10 +86,20 @@ TEST_F(ProgramTest, NamesTheTrueFileAndLine) {
                      kernels_.path_of("deep.clh") + ":3:", [&] { Program::build(device_, "broken.cl"); });
   kernels_.write("deep.clh", "// 1\n#include \"long.clh\"\nint broken(int x) { return x; }\n");
   kernels_.write("broken.cl",
-                 "#include \"deep.clh\"\n#include \"long.clh\"\n\nkernel void f() { undeclared(1); }\n");
+                 "#include \"deep.clh\"\n#include \"long.clh\"\n\nkernel void f() { int x = undeclared; }\n");
   const std::string hint = test::expect_error(ErrorKind::build_failed, kernels_.path_of("broken.cl") + ":4:",
                                               [&] { Program::build(device_, "broken.cl"); });
   EXPECT_THAT(hint, HasSubstr("--verbose"));
+}
+
+// Fails if messages of drivers that ignore `#line` name no file.
+TEST(AtTrueLine, FindsFileAndLineOfALineOfTheWhole) {
+  const std::string source = "#line 1 \"a.cl\"\n#line 1 \"b.clh\"\n// b1\n// b2\n#line 2 \"a.cl\"\nbroken\n";
+  EXPECT_EQ(at_true_line(source, "<kernel>:6:2: error: x"), "a.cl:2:2: error: x");
+  EXPECT_EQ(at_true_line(source, "<kernel>:4: error"), "b.clh:2: error");
+  EXPECT_EQ(at_true_line(source, "b.clh:4: error"), "b.clh:4: error");
+  EXPECT_EQ(at_true_line(source, "<kernel>:9: error"), "<kernel>:9: error");
+  EXPECT_EQ(at_true_line(source, "ptxas fatal: no"), "ptxas fatal: no");
 }
 
 // The name in messages about embedded files is the path from the repository root.

