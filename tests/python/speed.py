@@ -1,5 +1,6 @@
 """speed.py PEER [--json]: what the Python package costs beside C++ (speed_peer.cpp), numpy.fft and scipy.fft, in medians of
-20 interleaved runs on a quiet machine."""
+20 interleaved blocks on a quiet machine. Each block repeats one task, as those of offing-bench do: just after another process
+has run, the scheduler may have put both threads of the device on one core, which takes some milliseconds to correct."""
 
 import json
 import statistics
@@ -24,18 +25,23 @@ class Cpp:
         self.process = subprocess.Popen([program, TEXT, str(SAMPLES)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ms(self, what):
-        for _ in range(2):  # the first one untimed, as in ms_of()
-            self.process.stdin.write(what + "\n")
-            self.process.stdin.flush()
-            took_ms = float(self.process.stdout.readline())
-        return took_ms
+        self.process.stdin.write(what + "\n")
+        self.process.stdin.flush()
+        return float(self.process.stdout.readline())
 
 
-def ms_of(call):
-    call()  # awake and warm, as in a loop of it alone
+def block_ms(call, warm_up_s=0.015, block_s=0.030):
+    """The median of what a call takes, repeated for a block after a warm-up."""
+    took_s = []
     begin = time.perf_counter()
-    call()
-    return 1e3 * (time.perf_counter() - begin)
+    while time.perf_counter() - begin < warm_up_s:
+        call()
+    begin = now = time.perf_counter()
+    while now - begin < block_s:
+        before, _ = now, call()
+        now = time.perf_counter()
+        took_s.append(now - before)
+    return 1e3 * statistics.median(took_s)
 
 
 class NumpySea:
@@ -82,14 +88,14 @@ def main():
 
     tasks = {
         "sample, C++": lambda: cpp.ms("sample"),
-        "sample, Python": lambda: ms_of(lambda: world.sample(points)),
+        "sample, Python": lambda: block_ms(lambda: world.sample(points)),
         "frame with displacement, C++": lambda: cpp.ms("frame_and_displacement"),
-        "frame with displacement, Python": lambda: ms_of(lambda: frame(ALL[:3])),
-        "frame with one field": lambda: ms_of(lambda: frame(ALL[1:2])),
-        "frame with eight fields": lambda: ms_of(lambda: frame(ALL)),
+        "frame with displacement, Python": lambda: block_ms(lambda: frame(ALL[:3])),
+        "frame with one field": lambda: block_ms(lambda: frame(ALL[1:2])),
+        "frame with eight fields": lambda: block_ms(lambda: frame(ALL)),
     }
     for name, sea in seas.items():
-        tasks[f"eight fields, {name}"] = lambda sea=sea: ms_of(lambda: sea.at(3.0))
+        tasks[f"eight fields, {name}"] = lambda sea=sea: block_ms(lambda: sea.at(3.0))
     times = {name: [] for name in tasks}
     for run in range(RUNS + 2):  # two to warm up
         for name, task in tasks.items():
