@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -46,6 +46,14 @@ class SoundFamilyTest : public testing::Test {
     return worst;
   }
 
+  bool prefers_simd() const {
+    return ocl::tuning_for(device_.info(), "fft_rows").shape == ocl::KernelShape::simd;
+  }
+  // The device's own family and the other one.
+  std::pair<std::string, std::string> families() const {
+    return prefers_simd() ? std::pair("simd", "workgroup") : std::pair("workgroup", "simd");
+  }
+
   const test::ScopedEnvironment own_shape_{"OFFING_SHAPE", ""};
   test::TestKernels kernels_;
   test::LogCapture log_;
@@ -54,25 +62,26 @@ class SoundFamilyTest : public testing::Test {
 
 // Fails if a device that gets one family wrong still uses it, or does not say so.
 TEST_F(SoundFamilyTest, TakesTheOtherFamilyWhereOneIsWrong) {
-  const bool prefers_simd = ocl::tuning_for(device_.info(), "fft_rows").shape == ocl::KernelShape::simd;
-  if (prefers_simd) {
+  if (prefers_simd()) {
     kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
   } else {
     kernels_.change("fft/workgroup_stages.clh", "table[q * turn],", "table[q * turn] * 1.01f,");
   }
   EXPECT_LT(error_of_a_wave(64), 1e-5);
-  const std::string_view names[] = {"workgroup", "simd"};
+  const auto [first, second] = families();
   EXPECT_THAT(log_.text(),
               testing::HasSubstr(fmt::format("computes {} transforms of size 64 wrongly: using {} transforms",
-                                             names[prefers_simd], names[!prefers_simd])));
+                                             first, second)));
   EXPECT_EQ(log_.lines(), 1u);
 }
 
 // Fails if wrong values are given out where both families are wrong.
 TEST_F(SoundFamilyTest, RefusesADeviceThatGetsBothWrong) {
   kernels_.change("fft/butterflies.clh", "re[1] = difference_re + turned_re;", "re[1] = difference_re;");
-  const std::string hint = test::expect_error(ErrorKind::device, "simd and workgroup transforms of size 64",
-                                              [&] { error_of_a_wave(64); });
+  const auto [first, second] = families();
+  const std::string hint =
+      test::expect_error(ErrorKind::device, fmt::format("{} and {} transforms of size 64", first, second),
+                         [&] { error_of_a_wave(64); });
   EXPECT_NE(hint.find("--device"), std::string::npos);
 }
 
