@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "host/base/camera.h"
+#include "host/base/wave_spectrum.h"
 #include "host/c/call.h"
 #include "host/clouds/image/cloud_image.h"
 #include "host/clouds/reference/scattering_medium.h"
@@ -24,8 +27,25 @@ struct OffingDevice {
   offing::ocl::Device device;
 };
 
+/// Threads may share it: a call works on a copy, which holds either the spectrum from before a change or the
+/// one after it.
 struct OffingScene {
-  offing::scene::Scene scene;
+  explicit OffingScene(offing::scene::Scene of) : scene_(std::move(of)) {}
+
+  offing::scene::Scene copy() const {
+    const std::scoped_lock lock(mutex_);
+    return scene_;
+  }
+  void set_spectrum(std::shared_ptr<const offing::WaveSpectrum> spectrum) {
+    const std::scoped_lock lock(mutex_);
+    scene_.ocean.spectrum_data = std::move(spectrum);
+    scene_.ocean.spectrum_file = "the spectrum of the program";
+    scene_.ocean.is_given = true;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  offing::scene::Scene scene_;
 };
 
 /// Stays as it was made, so that threads may share it.

@@ -67,7 +67,7 @@ OffingStatus offing_measure_sea(const OffingDevice* device, const OffingScene* s
                   "8 seeds are a good start; four times as many halve the standard errors");
     }
     const offing::c::WatchedWork watched(progress);
-    const offing::scene::Sea sea = offing::scene::prepare_sea(scene->scene);
+    const offing::scene::Sea sea = offing::scene::prepare_sea(scene->copy());
     const offing::scene::Certificate found =
         offing::scene::certify(device->device, sea, seeds, watched.work());
     offing::c::write_struct(statistics, "statistics", to_statistics(found));

@@ -18,8 +18,9 @@
  *
  * Threads: several threads may use a device, a scene, spectra or a mesh at once. A world, a terrain or a
  * renderer takes calls from any thread, one at a time. If another thread is in a call with it, a call returns
- * OFFING_BUSY. Worlds on one device may run in different threads. Do not free a handle or change a scene
- * (offing_set_spectrum()) while another thread uses it. */
+ * OFFING_BUSY. Worlds on one device may run in different threads. If one thread gives a scene another
+ * spectrum (offing_set_spectrum()), a call of another thread takes either the old or the new one. Do not free
+ * a handle while another thread uses it. */
 #ifndef OFFING_H
 #define OFFING_H
 
@@ -167,7 +168,7 @@ OffingStatus offing_get_spectrum(const OffingSpectra* spectra, size_t index, Off
 /** Scenes that use one of the spectra stay valid. */
 void offing_free_spectra(OffingSpectra* spectra);
 /** Gives the scene's sea this spectrum in place of its model or file. Worlds that were made before keep
- * theirs. */
+ * theirs, and so do calls that other threads have begun. */
 OffingStatus offing_set_spectrum(OffingScene* scene, const OffingSpectra* spectra, size_t index);
 
 /** Parameters of a sea state, from the spectral moments m0, m1, m2. */

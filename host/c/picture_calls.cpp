@@ -21,7 +21,7 @@ OffingStatus offing_make_renderer(const OffingDevice* device, const OffingScene*
     require(scene, "scene");
     require(renderer, "renderer");
     const auto& present = offing::module_functions<offing::scene::PresentModule>("present", "draw pictures");
-    *renderer = new OffingRenderer(present.make_renderer(scene->scene, device->device.info()));
+    *renderer = new OffingRenderer(present.make_renderer(scene->copy(), device->device.info()));
   });
 }
 

@@ -164,7 +164,7 @@ OffingStatus offing_tabulate_spectrum(const OffingScene* scene, const double* fr
     require(scene, "scene");
     require(frequencies_hz, "frequencies_hz");
     require(spectra, "spectra");
-    const offing::scene::Sea sea = offing::scene::prepare_sea(scene->scene);
+    const offing::scene::Sea sea = offing::scene::prepare_sea(scene->copy());
     *spectra =
         one(table_of(sea.spectrum, {frequencies_hz, frequencies_hz + frequency_count}, direction_count));
   });
@@ -203,10 +203,7 @@ OffingStatus offing_set_spectrum(OffingScene* scene, const OffingSpectra* spectr
   return run([&] {
     require(scene, "scene");
     require(spectra, "spectra");
-    offing::scene::OceanSection& ocean = scene->scene.ocean;
-    ocean.spectrum_data = spectra->at(index);
-    ocean.spectrum_file = "the spectrum of the program";
-    ocean.is_given = true;
+    scene->set_spectrum(spectra->at(index));
   });
 }
 
@@ -214,7 +211,7 @@ OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* stat
   return run([&] {
     require(scene, "scene");
     const offing::ocean::SeaState found =
-        offing::ocean::integrate_sea_state(offing::scene::prepare_sea(scene->scene).spectrum);
+        offing::ocean::integrate_sea_state(offing::scene::prepare_sea(scene->copy()).spectrum);
     OffingSeaState values{};
     values.size = sizeof values;
     values.hs_m = found.hs_m;

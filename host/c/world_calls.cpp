@@ -193,7 +193,7 @@ OffingStatus offing_make_world_with(const OffingDevice* device, const OffingScen
     require(scene, "scene");
     require(world, "world");
     const offing::c::WatchedWork watched(offing::c::read_struct(options, "options").progress);
-    *world = made_world(device->device, scene->scene, watched).release();
+    *world = made_world(device->device, scene->copy(), watched).release();
   });
 }
 

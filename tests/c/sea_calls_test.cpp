@@ -13,6 +13,7 @@
 #include "host/c/offing.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "tests/c/sized.h"
 #include "tests/c/small_sea.h"
 
 namespace offing {
@@ -190,6 +191,44 @@ TEST_F(SeaCallsTest, RefusesASecondThread) {
     EXPECT_THAT(hint, HasSubstr("each thread"));
   }
   EXPECT_EQ(offing_frame(world(), 1.0), OFFING_OK);
+}
+
+// Fails if a call reads a scene while another thread gives it another spectrum: the state of the sea is then
+// neither, or the program crashes. That is rare; the thread sanitizer always reports it.
+TEST_F(SeaCallsTest, AThreadMayChangeAScene) {
+  OffingScene* shared = nullptr;
+  ASSERT_EQ(offing_parse_scene("version = 1\n[ocean]\nsize = 16\n", nullptr, &shared), OFFING_OK);
+  const std::array<double, 3> frequencies_hz{0.08, 0.1, 0.2};
+  std::array<OffingSpectra*, 2> spectra{};
+  std::array<double, 2> hs_m{};
+  const auto measured_hs_m = [&] {
+    OffingSeaState state = sized<OffingSeaState>();
+    EXPECT_EQ(offing_get_sea_state(shared, &state), OFFING_OK) << offing_last_error();
+    return state.hs_m;
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::array<double, 3> energy{1.0, 10.0 + 10.0 * static_cast<double>(i), 2.0};
+    OffingSpectrum spectrum = sized<OffingSpectrum>();
+    spectrum.frequency_count = 3;
+    spectrum.frequencies_hz = frequencies_hz.data();
+    spectrum.energy_m2phz = energy.data();
+    ASSERT_EQ(offing_make_spectrum(&spectrum, &spectra[i]), OFFING_OK) << offing_last_error();
+    ASSERT_EQ(offing_set_spectrum(shared, spectra[i], 0), OFFING_OK) << offing_last_error();
+    hs_m[i] = measured_hs_m();
+  }
+  ASSERT_NE(hs_m[0], hs_m[1]);
+  std::atomic<bool> is_done = false;
+  std::thread other([&] {
+    for (std::size_t i = 0; !is_done; i = 1 - i) offing_set_spectrum(shared, spectra[i], 0);
+  });
+  for (int i = 0; i < 60; ++i) EXPECT_THAT(measured_hs_m(), testing::AnyOf(hs_m[0], hs_m[1]));
+  OffingWorld* made = nullptr;
+  EXPECT_EQ(offing_make_world(device(), shared, &made), OFFING_OK) << offing_last_error();
+  is_done = true;
+  other.join();
+  offing_free_world(made);
+  offing_free_scene(shared);
+  for (OffingSpectra* const of : spectra) offing_free_spectra(of);
 }
 
 // Fails if worlds on four threads disturb each other: all have the heights of one alone.
