@@ -205,7 +205,8 @@ typedef struct OffingSeaStatistics {
 OffingStatus offing_measure_sea(const OffingDevice* device, const OffingScene* scene, int seeds,
                                 const OffingProgress* progress, OffingSeaStatistics* statistics);
 
-/** Makes the world of a scene at the scene's start. You may then close the device and free the scene. */
+/** Makes the world of a scene at the scene's start. You may then close the device and free the scene. Returns
+ * OFFING_BAD_INPUT for clouds that would take longer than 45 s, or than $OFFING_LONGEST_WAIT_S. */
 OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world);
 /** Settings of offing_make_world_with(). NULL and zeros are those of offing_make_world(). */
 typedef struct OffingWorldOptions {

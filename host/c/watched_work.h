@@ -19,7 +19,6 @@ class WatchedWork {
   WatchedWork(const WatchedWork&) = delete;
   WatchedWork& operator=(const WatchedWork&) = delete;
 
-  bool is_watched() const { return progress_.callback != nullptr; }
   const CancelToken& cancel() const { return cancel_; }
   /// Whose tell() throws Error(cancelled) where the callback asks to stop.
   const Work& work() const { return work_; }
@@ -29,7 +28,7 @@ class WatchedWork {
     constexpr double step = 0.001;  // callbacks may cost more than what they report
     share = std::clamp(share, 0.0, 1.0);
     const bool is_seen = shown_ < 0.0 || share >= shown_ + step || (share == 1.0 && shown_ < 1.0);
-    if (!is_watched() || !is_seen) return;
+    if (progress_.callback == nullptr || !is_seen) return;
     shown_ = share;
     if (progress_.callback(progress_.user, share) == 0) return;
     cancel_.cancel();

@@ -145,14 +145,12 @@ std::unique_ptr<OffingWorld> made_world(const offing::ocl::Device& device, offin
   const offing::Work& work = watched.work();
   offing::world::WorldParameters parameters = offing::scene::prepare_shown_world(scene);
   work.tell(prepared);
-  if (watched.is_watched()) {
-    const offing::Work growing = work.part(prepared, grown);
-    offing::world::grow_clouds(device, parameters, watched.cancel(),
-                               [&](const offing::world::CloudProgress& progress) {
-                                 growing.tell((static_cast<double>(progress.done) + progress.share) /
-                                              static_cast<double>(progress.all));
-                               });
-  }
+  const offing::Work growing = work.part(prepared, grown);
+  offing::world::grow_clouds(device, parameters, watched.cancel(),
+                             [&](const offing::world::CloudProgress& progress) {
+                               growing.tell((static_cast<double>(progress.done) + progress.share) /
+                                            static_cast<double>(progress.all));
+                             });
   auto world = std::make_unique<OffingWorld>(scene, device, parameters);
   work.tell(made);
   world->camera = offing::scene::show_at(world->world, world->scene, world->scene.time.start_s).camera;

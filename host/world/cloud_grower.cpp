@@ -23,7 +23,8 @@ clouds::CloudParameters form_of(const clouds::CloudParameters& cloud) {
 }  // namespace
 
 CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken& cancel,
-                                      const std::function<void(CloudProgress)>& progress) {
+                                      const std::function<void(CloudProgress)>& progress,
+                                      LongWork long_work) {
   const std::size_t count = sky.clouds.size();
   sky.particles.resize(count);
   std::vector<Form> forms;
@@ -41,7 +42,7 @@ CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken&
       particles = known->particles;
     } else {
       try {
-        if (!progress) clouds::require_short_sampling(device_, form);
+        if (long_work == LongWork::refused) clouds::require_short_sampling(device_, form);
         particles = std::make_shared<const std::vector<CloudParticle>>(
             clouds::particles_at_rest(device_, form, Work(cancel, tell)));
       } catch (const Error& error) {

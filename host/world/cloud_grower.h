@@ -17,6 +17,12 @@ struct CloudProgress {
   double share = 0.0;  ///< of the next one, 0 ... 1
 };
 
+/// What is done with clouds that take longer to make than a first picture may (host/base/time_estimate.h).
+enum class LongWork {
+  refused,  ///< as clouds::require_short_sampling() does
+  done,     ///< where somebody sees the progress and can stop it, as in a window
+};
+
 /// Gives clouds their particles ahead of a WorldClouds, which takes most of the time that clouds take: on
 /// another thread with a device of its own, or with what is known from the last sky. Particles are those that
 /// WorldClouds makes of the same parameters.
@@ -26,10 +32,11 @@ class CloudGrower {
 
   /// The sky with `particles` for each of its clouds. Those whose form the last sky had, wherever it was, are
   /// the same object. `progress` is told before each cloud, while it is made, and at the end. Throws what
-  /// clouds::particles_at_rest() throws, with the number of the cloud, from 1; Error(cancelled); where nobody
-  /// sees the progress what clouds::require_short_sampling() throws.
+  /// clouds::particles_at_rest() throws, with the number of the cloud, from 1; Error(cancelled); where long
+  /// work is refused what clouds::require_short_sampling() throws.
   CloudSkyParameters grown(CloudSkyParameters sky, const CancelToken& cancel,
-                           const std::function<void(CloudProgress)>& progress = {});
+                           const std::function<void(CloudProgress)>& progress = {},
+                           LongWork long_work = LongWork::refused);
 
  private:
   struct Form {

@@ -76,10 +76,11 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
     }
     result.sky = scene::prepare_clouds(scene, shapes_);
     if (result.sky) {
-      result.sky = grower_.grown(std::move(*result.sky), *running_, [this](world::CloudProgress progress) {
+      const auto show = [this](world::CloudProgress progress) {
         const std::lock_guard lock(mutex_);
         progress_ = progress;
-      });
+      };
+      result.sky = grower_.grown(std::move(*result.sky), *running_, show, world::LongWork::done);
     }
     return result;
   } catch (const Error& error) {

@@ -57,7 +57,8 @@ class World:
     def __init__(self, scene=None, *, device: Device | str | int | None = None,
                  progress: Callable[[float], object] | None = None):
         """`scene` is a Scene or what Scene() takes. `device` is a Device or what Device() takes. The world begins at the
-        scene's start. Clouds take long to make. Meanwhile progress(share) gets the share that is done, 0 to 1; if it
+        scene's start. Clouds take long to make, and those that would take longer than 45 s, or than
+        $OFFING_LONGEST_WAIT_S, raise BadInput. Meanwhile progress(share) gets the share that is done, 0 to 1; if it
         returns False, the call raises Cancelled. If it raises, the call raises the same exception."""
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self.device = device if isinstance(device, Device) else Device(device)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -126,6 +127,27 @@ TEST_F(GrowingCloudTest, GrowsUnderTheEyesOfACallback) {
   EXPECT_EQ(places_m(watched), places_m(unwatched));
   offing_free_world(unwatched);
   offing_free_world(watched);
+}
+
+// Fails if a world spends minutes on clouds before it shows anything, whether or not a callback watches. The
+// particles take 8 s here; what is tried to know it, a second.
+TEST_F(GrowingCloudTest, RefusesCloudsThatTakeLong) {
+  offing_free_scene(scene_);
+  scene_ = nullptr;
+  std::string text = scene_with_a_cloud;
+  const std::string few = "target_particles = 60";
+  text.replace(text.find(few), few.size(), "target_particles = 40001");
+  ASSERT_EQ(offing_parse_scene(text.c_str(), nullptr, &scene_), OFFING_OK) << offing_last_error();
+  const char* const usual = std::getenv("OFFING_LONGEST_WAIT_S");
+  const std::string before = usual == nullptr ? "" : usual;
+  setenv("OFFING_LONGEST_WAIT_S", "0.5", 1);
+  const Watcher watcher;
+  for (const Watcher* const seen : {&watcher, static_cast<const Watcher*>(nullptr)}) {
+    EXPECT_EQ(make(seen, OFFING_BAD_INPUT), nullptr);
+    EXPECT_THAT(offing_last_error(), HasSubstr("40001 particles would take"));
+    EXPECT_THAT(offing_last_hint(), HasSubstr("OFFING_LONGEST_WAIT_S="));
+  }
+  usual == nullptr ? unsetenv("OFFING_LONGEST_WAIT_S") : setenv("OFFING_LONGEST_WAIT_S", before.c_str(), 1);
 }
 
 // Fails if a start goes on after the callback asked to stop, makes a world all the same, or leaves the device
