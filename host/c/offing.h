@@ -223,6 +223,8 @@ void offing_free_world(OffingWorld* world);
 /** Computes one frame: the world at this time, -1e8 to 1e8 s. Times may come in any order. All calls below
  * are about the last frame. */
 OffingStatus offing_frame(OffingWorld* world, double time_s);
+/** The time of the last frame, s; that of the scene's start before the first. */
+OffingStatus offing_get_time(OffingWorld* world, double* time_s);
 
 /** A place in plan, where water is sampled. */
 typedef struct OffingPoint {

@@ -206,6 +206,14 @@ OffingStatus offing_frame(OffingWorld* world, double time_s) {
   });
 }
 
+OffingStatus offing_get_time(OffingWorld* world, double* time_s) {
+  return run([&] {
+    const Use use(world, "world");
+    require(time_s, "time_s");
+    *time_s = world->world.time_s();
+  });
+}
+
 OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
                            size_t count, OffingSample* samples) {
   return run([&] {

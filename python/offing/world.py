@@ -64,13 +64,16 @@ class World:
         self.device = device if isinstance(device, Device) else Device(device)
         self._world = _core.World(self.device._device, self.scene._scene, progress)
         self._renderer = None
-        self._time_s = float(self.scene.values.get("time", {}).get("start_s", 0.0))
 
     def at(self, time_s: float) -> "World":
         """Moves the world to a time in s, and returns the world. Times may come in any order."""
         self._world.frame(float(time_s))
-        self._time_s = float(time_s)
         return self
+
+    @property
+    def time_s(self) -> float:
+        """The time of the last at(), in s; before that, the scene's start."""
+        return self._world.time_s
 
     def sample(self, points_m: npt.ArrayLike, *, depth_m: float = 0.0, min_wavelength_m: float = 0.0,
                flow: bool = True) -> Water:
@@ -128,7 +131,7 @@ class World:
         if self._renderer is None:
             self._renderer = _core.Renderer(self.device._device, self.scene._scene)
         render = self._renderer.render_light if light else self._renderer.render
-        return render(self._time_s, width_px, height_px)
+        return render(self.time_s, width_px, height_px)
 
     @property
     def camera(self) -> dict:
@@ -153,11 +156,11 @@ class World:
         return [_core.mesh_pose(self._world, mesh) for mesh in range(_core.mesh_count(self._world))]
 
     def highlights(self, mesh: int = 0, *, first_s: float | None = None) -> dict[str, np.ndarray]:
-        """The projectors of a mesh's highlights for the scene's camera, as a dict of arrays in mesh axes: id, rule, copy,
-        light, position_m, right, up, normal, width_m, height_m, opacity, texture, softness and colour. See
+        """The projectors of a mesh's highlights for the scene's camera, as a dict of arrays in mesh axes. Its names are id,
+        rule, copy, light, position_m, right, up, normal, width_m, height_m, opacity, texture, softness and colour. See
         OffingHighlights in offing.h. `first_s` is the time of the sequence's first frame; highlights keep their ids in a
         sequence. None makes each frame a sequence of its own."""
-        _core.find_highlights(self._world, self._time_s if first_s is None else first_s)
+        _core.find_highlights(self._world, self.time_s if first_s is None else first_s)
         return _core.highlights(self._world, mesh)
 
     def sea_state(self) -> dict[str, float]:

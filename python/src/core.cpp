@@ -135,6 +135,7 @@ NB_MODULE(_core, module) {
       .def(nb::init<const Device&, const Scene&, const nb::object&>(), "device"_a, "scene"_a,
            "progress"_a.none())
       .def("frame", &World::frame, "time_s"_a)
+      .def_prop_ro("time_s", &World::time_s)
       .def("sample", &World::sample, "points_m"_a, "depth_m"_a, "min_wavelength_m"_a, "wants_flow"_a)
       .def("sample_on_device", &World::sample_on_device, "points"_a, "count"_a, "samples"_a, "depth_m"_a,
            "min_wavelength_m"_a)

@@ -234,6 +234,11 @@ class World {
   void frame(double time_s) {
     run([&] { return offing_frame(get(), time_s); });
   }
+  double time_s() const {
+    double time_s = 0.0;
+    run([&] { return offing_get_time(get(), &time_s); });
+    return time_s;
+  }
 
   /// [n, 8], as offing_sample_water_on_device() writes them.
   nb::ndarray<nb::numpy, float> sample(const Rows<2>& points_m, double depth_m, double min_wavelength_m,

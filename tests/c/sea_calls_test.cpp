@@ -231,6 +231,24 @@ TEST_F(SeaCallsTest, AThreadMayChangeAScene) {
   for (OffingSpectra* const of : spectra) offing_free_spectra(of);
 }
 
+// Fails if a world is at another time than that of its scene's start or its last frame.
+TEST_F(SeaCallsTest, TellsItsTime) {
+  OffingScene* late = nullptr;
+  OffingWorld* made = nullptr;
+  ASSERT_EQ(offing_parse_scene("version = 1\n[time]\nstart_s = 7.5\n[ocean]\nsize = 16\n", nullptr, &late),
+            OFFING_OK);
+  ASSERT_EQ(offing_make_world(device(), late, &made), OFFING_OK) << offing_last_error();
+  double time_s = 0.0;
+  EXPECT_EQ(offing_get_time(made, &time_s), OFFING_OK);
+  EXPECT_EQ(time_s, 7.5);
+  ASSERT_EQ(offing_frame(made, 3.25), OFFING_OK);
+  EXPECT_EQ(offing_get_time(made, &time_s), OFFING_OK);
+  EXPECT_EQ(time_s, 3.25);
+  EXPECT_EQ(offing_get_time(made, nullptr), OFFING_BAD_INPUT);
+  offing_free_world(made);
+  offing_free_scene(late);
+}
+
 // Fails if worlds on four threads disturb each other: all have the heights of one alone.
 TEST_F(SeaCallsTest, WorldsRunOnThreads) {
   ASSERT_EQ(offing_frame(world(), 2.0), OFFING_OK);

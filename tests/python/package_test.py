@@ -40,6 +40,12 @@ class WorldTest(unittest.TestCase):
         self.assertAlmostEqual(float(np.linalg.norm(water.normal[0])), 1.0, places=6)
         self.assertIsNone(self.world.sample([[0.0, 0.0]], flow=False).pressure_pa)
 
+    # Fails if a world is at another time than the scene's start or its last frame.
+    def test_tells_its_time(self):
+        world = offing.World({"time": {"start_s": 7.5}, "ocean": {"size": 16}}, device=self.device)
+        self.assertEqual((world.time_s, world.at(2.5).time_s), (7.5, 2.5))
+        self.assertEqual(offing.World({"ocean": {"size": 16}}, device=self.device).time_s, 0.0)
+
     # Fails if an array is not numpy's own, writable and float32, or is shared between two reads.
     def test_fields_are_arrays_of_their_own(self):
         fields = self.world.fields(offing.FIELDS)
