@@ -14,6 +14,7 @@
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
 #include "host/highlights/curvature/diffused_curvature.h"
+#include "host/io/atomic_file.h"
 #include "host/io/meshes/polygon_soup.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
@@ -157,9 +158,7 @@ OffingStatus offing_save_mesh(const OffingMesh* mesh, const char* file, int repl
     require(file, "file");
     std::error_code ignored;
     if (replace == 0 && std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("{}: expected a new file, found an existing one", offing::one_line(file)),
-                  "set replace to 1, or name another file");
+      offing::refuse_existing(file, "set replace to 1, or name another file");
     }
     offing::write_mesh(file, mesh->mesh, replace == 0 ? offing::Existing::keep : offing::Existing::replace);
   });

@@ -28,7 +28,7 @@ void check(std::span<const fs::path> outputs, Existing existing, const GivenInpu
   if (outputs.empty()) return;
   require_not_read(outputs, inputs);
   if (existing == Existing::replace) return;
-  refuse_existing(outputs.front());
+  refuse_existing(outputs.front(), "add --force to replace it, or name another file");
 }
 
 }  // namespace

@@ -118,10 +118,10 @@ fs::path folder_of(const fs::path& file) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
-void refuse_existing(const fs::path& output) {
+void refuse_existing(const fs::path& output, const char* hint) {
   throw Error(ErrorKind::bad_usage,
               fmt::format("{}: expected a new file, found an existing one", one_line(output.string())),
-              "add --force to replace it, or name another file");
+              hint);
 }
 
 AtomicFile::AtomicFile(fs::path target, Existing existing) : target_(std::move(target)), existing_(existing) {

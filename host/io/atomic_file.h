@@ -64,8 +64,10 @@ void require_writable(const std::filesystem::path& target);
 /// The folder of a file: "." where only its name is given.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
-/// Throws Error(bad_usage): the name of an output is taken, and what has it is to be kept.
-[[noreturn]] void refuse_existing(const std::filesystem::path& output);
+/// Throws Error(bad_usage): the name of an output is taken, and what has it is to be kept. `hint` says how the
+/// caller's user can have it replaced.
+[[noreturn]] void refuse_existing(const std::filesystem::path& output,
+                                  const char* hint = "name another file, or ask for it to be replaced");
 
 /// Removes temporaries that killed runs left in `folder` for targets whose name begins with `name_prefix`
 /// (empty: all). Those of living writers, in this or any other process, are locked and stay. Returns how many
