@@ -128,6 +128,9 @@ typedef struct OffingProgress {
 OffingStatus offing_load_scene(const char* file, OffingScene** scene);
 /** Reads a scene from text. File names in it are relative to `folder`; NULL is the working folder. */
 OffingStatus offing_parse_scene(const char* text, const char* folder, OffingScene** scene);
+/** Reads a scene from text that a program made of values. It is offing_parse_scene(), but errors and warnings
+ * name keys alone, because nobody sees the lines. */
+OffingStatus offing_parse_values(const char* text, const char* folder, OffingScene** scene);
 /** Frees the scene. Worlds and renderers made of it stay valid. */
 void offing_free_scene(OffingScene* scene);
 

@@ -176,6 +176,14 @@ OffingStatus offing_parse_scene(const char* text, const char* folder, OffingScen
   });
 }
 
+OffingStatus offing_parse_values(const char* text, const char* folder, OffingScene** scene) {
+  return run([&] {
+    require(text, "text");
+    require(scene, "scene");
+    *scene = new OffingScene{offing::scene::parse_scene(text, "", folder == nullptr ? "" : folder)};
+  });
+}
+
 void offing_free_scene(OffingScene* scene) {
   delete scene;
 }

@@ -19,6 +19,7 @@ namespace offing {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr const char* scene_text =
     "version = 1\n[wind]\nspeed_mps = 9\n[ocean]\nsize = 64\n[ocean.gerstner]\ncount = 8\n";
@@ -105,6 +106,8 @@ TEST_F(OffingInterfaceTest, RefusesBadArguments) {
   OffingScene* scene = nullptr;
   EXPECT_EQ(offing_parse_scene("version = 1\n[wind]\nspeed = 9\n", nullptr, &scene), OFFING_BAD_INPUT);
   EXPECT_THAT(offing_last_error(), HasSubstr("scene:3:1: wind.speed"));
+  EXPECT_EQ(offing_parse_values("version = 1\n[wind]\nspeed = 9\n", nullptr, &scene), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), StartsWith("scene: wind.speed"));
   EXPECT_THAT(offing_last_hint(), HasSubstr("speed_mps"));
   EXPECT_EQ(scene, nullptr);
   EXPECT_EQ(offing_load_scene("no/such.toml", &scene), OFFING_BAD_INPUT);

@@ -25,7 +25,8 @@ Scene load_scene(const std::filesystem::path& file, Trust trust = Trust::trusted
 /// What to do about keys that have a newer name.
 enum class EarlierKeys { warn, accept };
 
-/// The same from text; `name` stands for the file in messages, `folder` is what file names are relative to.
+/// The same from text. `name` stands for the file in messages; if it is empty, they name no lines. `folder`
+/// is what file names are relative to.
 Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
                   Trust trust = Trust::trusted, EarlierKeys earlier_keys = EarlierKeys::warn);
 

@@ -43,6 +43,7 @@ std::string cut(std::string shown) {
 }  // namespace
 
 std::string place_text(std::string_view file, const toml::source_region& region) {
+  if (file.empty()) return "scene";
   return fmt::format("{}:{}:{}", file, region.begin.line, region.begin.column);
 }
 

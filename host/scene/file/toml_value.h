@@ -9,7 +9,8 @@
 
 namespace offing::scene {
 
-/// Where something stands in a file: `storm.toml:14:13`.
+/// Where something stands in a file: `storm.toml:14:13`. "scene" without a file's name: of a text that a
+/// program made.
 std::string place_text(std::string_view file, const toml::source_region& region);
 
 /// One line of the value as it was written, cut where it gets long.
