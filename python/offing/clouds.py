@@ -29,9 +29,14 @@ class Clouds:
         return _core.cloud_count(self.world._world)
 
     def particles(self) -> dict[str, np.ndarray]:
-        """All particles, as a dict of arrays: place_m [n, 3], radius_m [n], optical_mass_m2 [n] (extinction in 1/m
-        integrated over the volume), albedo [n, 3] (linear Rec.709), cloud [n] (its index) and id [n] (unique in its
-        cloud)."""
+        """All particles, as a dict of arrays:
+
+        - place_m [n, 3] and radius_m [n]
+        - optical_mass_m2 [n]: extinction in 1/m, integrated over the volume
+        - albedo [n, 3]: linear Rec.709
+        - cloud [n]: index of its cloud
+        - id [n]: unique in its cloud
+        """
         return _core.cloud_particles(self.world._world)
 
     def extinction(self, points_m: npt.ArrayLike, *, cell_m: float = 50.0) -> np.ndarray:

@@ -37,18 +37,18 @@ class Mesh:
         files in and below its folder."""
         if isinstance(source, (str, os.PathLike)):
             if triangles is not None:
-                raise ValueError("triangles: expected None beside a file")
-            self._mesh = _core.Mesh.open(os.fspath(source), untrusted)
+                raise BadInput("triangles: expected None beside a file, got some", "pass the file alone")
+            self._mesh = _core.Mesh.open(source, untrusted)
         elif triangles is None:
-            raise ValueError("triangles: expected an array [m, 3] beside vertices")
+            raise BadInput("triangles: expected an array [m, 3] beside vertices, got None", "pass Mesh(vertices, triangles)")
         else:
             vertices_m = rows("vertices", source, 3)
             self._mesh = _core.Mesh.make(vertices_m, _indices(np.asarray(triangles), len(vertices_m)))
 
     @property
     def info(self):
-        """What is known about the mesh, as a dict: vertices and triangles (their numbers), lowest_m and highest_m (x, y, z of
-        the box around all vertices), and format, which is "" for arrays."""
+        """What is known about the mesh, as a dict. vertices and triangles are their numbers. lowest_m and highest_m are x, y,
+        z of the box around all vertices. format is "" for arrays."""
         return self._mesh.info()
 
     @property
@@ -65,16 +65,17 @@ class Mesh:
         """The Curvature at all vertices, computed on a Device or what Device() takes. Angles at edges are averaged with those
         of neighbours in `rounds`, 1 to 1000; more suit a noisy surface.
 
-        Measured errors of curvatures in % of the larger one at a vertex, mean and largest: 0.1 and 1.4 on an icosphere of
-        10,242 vertices, 0.5 and 4.8 on an uneven ellipsoid of as many, 3.4 and 18 on one of 642. Noise off the surface of
-        0.02 edges raises them to 5 and 46, or with 10 rounds to 1.4 and 8.6. offing.h has errors of directions and normals.
+        Measured errors of curvatures, mean and largest, are in % of the larger one at a vertex. They are 0.1 and 1.4 on an
+        icosphere of 10,242 vertices. On an uneven ellipsoid they are 0.5 and 4.8 with as many vertices, 3.4 and 18 with
+        642. Noise off the surface of 0.02 edges raises them to 5 and 46, or with 10 rounds to 1.4 and 8.6. offing.h has
+        errors of directions and normals.
         """
         device = device if isinstance(device, Device) else Device(device)
         return Curvature(*self._mesh.curvature(device._device, rounds))
 
     def save(self, file, *, replace=False):
         """Writes a .ply, .obj, .off or .stl file, by its name. Raises BadInput if the file exists, unless `replace` is True."""
-        self._mesh.save(os.fspath(file), replace)
+        self._mesh.save(file, replace)
 
     def __repr__(self):
         info = self.info
@@ -84,9 +85,9 @@ class Mesh:
 def _indices(triangles, vertices):
     """Triangles as uint32. Checked first, because numpy would wrap negative and larger numbers."""
     if triangles.ndim != 2 or triangles.shape[1] != 3:
-        raise ValueError(f"triangles: expected an array [m, 3], got one of shape {triangles.shape}")
+        raise BadInput(f"triangles: expected an array [m, 3], got one of shape {triangles.shape}", "give 3 vertices for each")
     if not np.issubdtype(triangles.dtype, np.integer):
-        raise ValueError(f"triangles: expected whole numbers, got {triangles.dtype}")
+        raise BadInput(f"triangles: expected whole numbers, got {triangles.dtype}", "pass triangles.astype(int)")
     is_outside = ((triangles < 0) | (triangles >= vertices)).any(axis=1)
     if is_outside.any():
         first = int(np.argmax(is_outside))

@@ -12,6 +12,7 @@ import pathlib
 import tomllib
 
 from offing import _core
+from offing.errors import BadInput
 
 
 def toml_value(value):
@@ -70,19 +71,19 @@ class Scene:
         elif isinstance(source, dict):
             self.values, self.folder = copy.deepcopy(source), folder
         elif isinstance(source, str) and ("\n" in source or "=" in source):
-            self._scene = _core.Scene.parse(source, folder)  # its errors have lines
+            self._scene = _parsed(source, folder, is_made=False)  # its errors have lines
             self.values, self.folder = tomllib.loads(source), folder
             return
         else:
             path = pathlib.Path(source).absolute()
-            self._scene = _core.Scene.load(os.fspath(source))
+            self._scene = _core.Scene.load(source)
             self.values, self.folder = tomllib.loads(path.read_text(encoding="utf-8-sig")), path.parent
             return
         self.values.setdefault("version", 1)
         self._make()
 
     def _make(self):
-        self._scene = _core.Scene.parse(toml_text(self.values), _text(self.folder))
+        self._scene = _parsed(toml_text(self.values), self.folder, is_made=True)
         if self._spectrum is not None:
             self._scene.set_spectrum(self._spectrum._spectra, self._spectrum._index)
 
@@ -117,5 +118,11 @@ class Scene:
         return f"<offing.Scene {', '.join(self.values)}>"
 
 
-def _text(folder):
-    return None if folder is None else str(folder)
+def _parsed(text, folder, *, is_made):
+    if not text.isascii():
+        try:
+            text.encode()
+        except UnicodeEncodeError as error:
+            raise BadInput(f"scene: expected texts in UTF-8, got {text[error.start - 20 : error.end + 20]!r}",
+                           "rename the file, or make a link to it with another name") from None
+    return _core.Scene.parse(text, folder, is_made)

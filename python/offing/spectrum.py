@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from offing import _core
+from offing.errors import BadInput
 from offing.scene import Scene
 
 # numpy 2 has another name for it.
@@ -34,7 +35,7 @@ class Spectrum:
     @classmethod
     def read(cls, file: str | os.PathLike) -> "list[Spectrum]":
         """All spectra of a file, as a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, also compressed by gzip."""
-        spectra = _core.Spectra.read(str(file))
+        spectra = _core.Spectra.read(file)
         return [cls(spectra, index) for index in range(len(spectra))]
 
     @classmethod
@@ -89,12 +90,14 @@ class Spectrum:
         import xarray as xr
 
         spectra = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
+        if not spectra:
+            raise BadInput("spectra: expected at least one, got none", "pass a Spectrum, or a list of them")
         first = spectra[0]
         for other in spectra[1:]:
             if not (np.array_equal(other.frequencies_hz, first.frequencies_hz)
                     and np.array_equal(other.directions_rad, first.directions_rad)):
-                raise ValueError("spectra: expected one grid of frequencies and directions, found two; "
-                                 "convert them one by one")
+                raise BadInput("spectra: expected one grid of frequencies and directions, found two",
+                               "convert them one by one")
         times = [np.datetime64(spectrum.time_utc.rstrip("Z") or "NaT", "ns") for spectrum in spectra]
         coordinates = {"time": times, "freq": ("freq", first.frequencies_hz, {"units": "Hz"})}
         if first.density is None:

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from offing import _core
 from offing.arrays import rows
 from offing.device import Device
+from offing.errors import BadInput
 
 EARTH_RADIUS_M = 6371008.8  # mean
 HIT_KINDS = ("none", "surface", "side", "inside")
@@ -68,12 +69,13 @@ class Terrain:
         spacing_x_m, spacing_z_m = np.broadcast_to(0.0 if spacing_m is None else spacing_m, 2).tolist()
         if isinstance(source, (str, os.PathLike)):
             self._terrain = _core.Terrain.open(
-                self.device._device, os.fspath(source), spacing_x_m, spacing_z_m, vertical_scale, offset_m, nodata,
+                self.device._device, source, spacing_x_m, spacing_z_m, vertical_scale, offset_m, nodata,
                 void_height_m, reproject_to, untrusted, band)
         else:
             heights_m = np.ascontiguousarray(source, dtype=np.float32)
             if heights_m.ndim != 2 or spacing_m is None:
-                raise ValueError("source: expected an array [rows, columns] and its spacing_m")
+                raise BadInput(f"source: expected an array [rows, columns] and its spacing_m, got shape {heights_m.shape} "
+                               f"and spacing_m {spacing_m}", "pass spacing_m=10 for 10 m between posts")
             self._terrain = _core.Terrain.make(self.device._device, heights_m, spacing_x_m, spacing_z_m)
 
     @property

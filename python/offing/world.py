@@ -140,9 +140,9 @@ class World:
         return _core.camera(self._world)
 
     def body_poses(self) -> dict:
-        """Poses of the floating bodies, as a dict of name (a list) and arrays: mass_centre_m [n, 3], turn [n, 4], velocity_mps
-        [n, 3], spin_radps [n, 3] in body axes and displaced_m3 [n]. turn is a quaternion w, x, y, z from body axes to
-        world axes. Body axes are x forward, y up, z to starboard."""
+        """Poses of the floating bodies, as a dict of name (a list) and arrays. mass_centre_m, velocity_mps and, in body axes,
+        spin_radps are [n, 3], displaced_m3 is [n]. turn [n, 4] is a quaternion w, x, y, z from body axes to world axes.
+        Body axes are x forward, y up, z to starboard."""
         return _core.body_poses(self._world)
 
     def body_forces(self) -> dict:
@@ -170,8 +170,9 @@ class World:
     def stats(self, seeds: int = 8, *, progress: Callable[[float], object] | None = None) -> dict[str, dict]:
         """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. The dict has four
         dicts: "asked" (of the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of
-        swells), "measured", and "standard_error" (of measured from resolved). Directions are of travel, in degrees from
-        east toward south. progress(share) is as in World()."""
+        swells), "measured", and "standard_error" (of measured from resolved). The mean direction is of travel, from east
+        toward south, in degrees (mean_direction_deg) and, as in sea_state(), in radians (mean_direction_rad).
+        progress(share) is as in World()."""
         return self.scene._scene.measure(self.device._device, seeds, progress)
 
     def __repr__(self):
@@ -200,7 +201,7 @@ def _number_of(name):
     try:
         return FIELDS.index(name)
     except ValueError:
-        raise ValueError(f"field: expected one of {', '.join(FIELDS)}; got {name!r}") from None
+        raise BadInput(f"field: expected a name in offing.FIELDS, got {name!r}", f"choose from {', '.join(FIELDS)}") from None
 
 
 def _buffer_of(target):
@@ -213,5 +214,6 @@ def _buffer_of(target):
 def _whole_buffer_of(target):
     buffer, offset = _buffer_of(target)
     if offset:
-        raise ValueError("expected an array at the start of its buffer, got one at an offset")
+        raise BadInput("points and samples: expected arrays at the start of their buffers, got one at an offset",
+                       "copy the array to one of its own")
     return buffer

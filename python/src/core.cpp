@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "handles.h"
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -122,7 +123,7 @@ NB_MODULE(_core, module) {
       .def("at", &Spectra::at, "index"_a);
   nb::class_<Scene>(module, "Scene")
       .def_static("load", &Scene::load, "file"_a)
-      .def_static("parse", &Scene::parse, "text"_a, "folder"_a.none())
+      .def_static("parse", &Scene::parse, "text"_a, "folder"_a, "is_made"_a)
       .def("set_spectrum", &Scene::set_spectrum, "spectra"_a, "index"_a)
       .def("tabulate_spectrum", &Scene::tabulate_spectrum, "frequencies_hz"_a, "directions"_a)
       .def("sea_state", &Scene::sea_state)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -67,7 +68,7 @@ class Device {
 class Spectra {
  public:
   explicit Spectra(OffingSpectra* spectra) : spectra_(spectra) {}
-  static Spectra read(const std::string& file) {
+  static Spectra read(const std::filesystem::path& file) {
     OffingSpectra* spectra = nullptr;
     run([&] { return offing_read_spectra(file.c_str(), &spectra); });
     return Spectra(spectra);
@@ -134,14 +135,16 @@ constexpr double degrees(double angle_rad) {
 
 class Scene {
  public:
-  static Scene load(const std::string& file) {
+  static Scene load(const std::filesystem::path& file) {
     OffingScene* scene = nullptr;
     run([&] { return offing_load_scene(file.c_str(), &scene); });
     return Scene(scene);
   }
-  static Scene parse(const std::string& text, const std::optional<std::string>& folder) {
+  /// A text of the user's, or one that was made of a dict.
+  static Scene parse(const std::string& text, const std::filesystem::path& folder, bool is_made) {
+    const auto call = is_made ? offing_parse_values : offing_parse_scene;
     OffingScene* scene = nullptr;
-    run([&] { return offing_parse_scene(text.c_str(), folder ? folder->c_str() : nullptr, &scene); });
+    run([&] { return call(text.c_str(), folder.c_str(), &scene); });
     return Scene(scene);
   }
 
@@ -184,6 +187,7 @@ class Scene {
       values["tm01_s"] = tm01_s;
       values["tm02_s"] = tm02_s;
       values["mean_direction_deg"] = degrees(direction_rad);
+      values["mean_direction_rad"] = direction_rad;
       values["mss"] = mss;
       return values;
     };
@@ -202,6 +206,7 @@ class Scene {
     errors["hs_m"] = found.hs_standard_error_m;
     errors["tm02_s"] = found.tm02_standard_error_s;
     errors["mean_direction_deg"] = degrees(found.mean_direction_standard_error_rad);
+    errors["mean_direction_rad"] = found.mean_direction_standard_error_rad;
     values["standard_error"] = errors;
     return values;
   }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "handles.h"
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 
 using namespace nb::literals;
@@ -13,7 +14,7 @@ using Triangles = nb::ndarray<const std::uint32_t, nb::shape<-1, 3>, nb::c_conti
 
 class Mesh {
  public:
-  static Mesh open(const std::string& file, bool untrusted) {
+  static Mesh open(const std::filesystem::path& file, bool untrusted) {
     const OffingMeshOptions options{sizeof options, untrusted ? 1 : 0};
     OffingMesh* mesh = nullptr;
     run([&] { return offing_open_mesh(file.c_str(), &options, &mesh); });
@@ -64,7 +65,7 @@ class Mesh {
     run([&] { return offing_compute_curvatures(device.get(), mesh_.get(), &options, count, &curvatures); });
     return nb::make_tuple(k_max, k_min, e_max, e_min, normal, area, confidence);
   }
-  void save(const std::string& file, bool replace) const {
+  void save(const std::filesystem::path& file, bool replace) const {
     run([&] { return offing_save_mesh(mesh_.get(), file.c_str(), replace ? 1 : 0); });
   }
 

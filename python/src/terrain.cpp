@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "handles.h"
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
@@ -23,10 +24,10 @@ OffingTerrainQuery query_of(bool smooth_normals, double earth_radius_m, double r
 
 class Terrain {
  public:
-  static Terrain open(const Device& device, const std::string& file, double spacing_x_m, double spacing_z_m,
-                      double vertical_scale, double offset_m, std::optional<double> nodata,
-                      std::optional<double> void_height_m, const std::optional<std::string>& reproject_to,
-                      bool untrusted, int band) {
+  static Terrain open(const Device& device, const std::filesystem::path& file, double spacing_x_m,
+                      double spacing_z_m, double vertical_scale, double offset_m,
+                      std::optional<double> nodata, std::optional<double> void_height_m,
+                      const std::optional<std::string>& reproject_to, bool untrusted, int band) {
     OffingTerrainOptions options{};
     options.size = sizeof options;
     options.spacing_x_m = spacing_x_m;

@@ -1,6 +1,8 @@
 """Terrain, bodies, clouds and meshes of the Python package, with numpy alone."""
 
+import os
 import pathlib
+import pickle
 import tempfile
 import unittest
 
@@ -8,6 +10,7 @@ import numpy as np
 
 import offing
 
+SPECTRUM = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "example_sea.data_spec"
 # A ridge along z = 500 m, 50 m high, on a plane that falls to the east by 1 in 100.
 X_M, Z_M = np.meshgrid(10.0 * np.arange(101), 10.0 * np.arange(101))
 RIDGE_M = (50.0 * np.exp(-(((Z_M - 500.0) / 60.0) ** 2)) - 0.01 * X_M).astype(np.float32)
@@ -61,6 +64,33 @@ class TerrainTest(unittest.TestCase):
         for arguments in ({"source": "no/such.tif"}, {"source": RIDGE_M}, {"source": RIDGE_M[0], "spacing_m": 1.0}):
             with self.assertRaises(ValueError):
                 offing.Terrain(device=self.device, **arguments)
+
+
+class PathTest(unittest.TestCase):
+    # Fails if a file is not found because its path is not UTF-8. Only TOML, which is UTF-8, cannot name it.
+    def test_paths_of_any_bytes(self):
+        with tempfile.TemporaryDirectory() as top:
+            folder = pathlib.Path(os.fsdecode(os.path.join(os.fsencode(top), b"m\xe9t\xe9o")))
+            folder.mkdir()
+            for file in SPECTRUM.parent.glob("example_sea.*"):
+                (folder / file.name).write_bytes(file.read_bytes())
+            odd = folder / os.fsdecode(b"\xff.toml")
+            odd.write_text('version = 1\n[ocean]\nspectrum_file = "example_sea.data_spec"\n')
+            expected = offing.Spectrum.read(SPECTRUM)[0].hs_m
+            self.assertEqual(offing.Spectrum.read(folder / "example_sea.data_spec")[0].hs_m, expected)
+            scenes = [offing.Scene(odd), offing.Scene({"ocean": {"spectrum_file": "example_sea.data_spec"}}, folder=folder)]
+            for scene in [*scenes, pickle.loads(pickle.dumps(scenes[1])), scenes[0].with_values({"ocean": {"size": 32}})]:
+                self.assertAlmostEqual(scene.sea_state()["hs_m"], expected, places=4)
+            mesh = offing.Mesh(np.eye(3), [[0, 1, 2]])
+            mesh.save(folder / "a.ply")
+            np.testing.assert_array_equal(offing.Mesh(folder / "a.ply").triangles, mesh.triangles)
+            (folder / "a.asc").write_text("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n")
+            np.testing.assert_array_equal(offing.Terrain(folder / "a.asc").heights_m, [[1, 2], [3, 4]])
+            with self.assertRaises(offing.BadInput) as raised:
+                offing.Spectrum.read(odd)
+            str(raised.exception).encode()  # can be printed
+            with self.assertRaisesRegex(offing.BadInput, "UTF-8"):
+                offing.Scene({"terrain": {"file": odd}})
 
 
 class PartsTest(unittest.TestCase):
