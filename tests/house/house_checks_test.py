@@ -67,6 +67,14 @@ class HouseChecks(unittest.TestCase):
         row = "| `--a` | " + " ".join(["word"] * 31) + " |\n"
         self.assert_finds(sentences, "docs/reference/a.md", row, "docs/reference/a.md:1: a sentence of 31 words")
 
+    def test_long_sentence_of_a_comment(self):
+        comment = "/** Short one.\n *\n * " + " ".join(["word"] * 31) + ". */\nint offing_call(void);\n"
+        self.assert_finds(sentences, "host/c/offing.h", comment, "host/c/offing.h:3: a sentence of 31 words")
+
+    def test_long_sentence_of_a_docstring(self):
+        docstring = 'class Sea:\n    def at(self):\n        """Short one.\n\n        ' + " ".join(["word"] * 31) + '"""\n'
+        self.assert_finds(sentences, "python/offing/sea.py", docstring, "python/offing/sea.py:5: a sentence of 31 words")
+
     def test_lower_folder_includes_higher(self):
         self.assert_finds(
             include_arrows,
@@ -146,6 +154,12 @@ class HouseChecks(unittest.TestCase):
 
     def test_retired_word_in_a_page(self):
         self.assert_finds(words, "docs/guide.md", "Mend it.\n", 'docs/guide.md:1: retired word "mend"')
+
+    def test_retired_word_in_a_comment(self):
+        self.assert_finds(words, "host/c/offing.h", "int a; /**< of the\n * lamp */\n", 'host/c/offing.h:2: retired word "lamp"')
+
+    def test_retired_word_in_a_docstring(self):
+        self.assert_finds(words, "python/offing/sea.py", 'def at():\n    """A lamp."""\n', 'python/offing/sea.py:2: retired word "lamp"')
 
     def test_types_that_differ_by_a_plural(self):
         self.assert_finds(

@@ -1,8 +1,10 @@
-"""Sentences of pages and of help texts have at most 30 words. Code, tables, lists and headings are left out of pages;
-the help texts are the cells of the tables in docs/reference, which are made from the programs."""
+"""Sentences of pages, of help texts, of the C interface's comments and of Python's docstrings have at most 30 words. Code,
+tables, lists and headings are left out of pages; the help texts are the cells of the tables in docs/reference, which are
+made from the programs."""
 
 import re
 
+from interface_texts import interface_texts
 from repository import run
 
 MOST_WORDS = 30
@@ -57,11 +59,12 @@ def cells(text):
 def check(repository):
     pages = [path for path in repository.under("docs", "examples", suffixes=(".md",)) if path != "docs/changes.md"]
     pages += [path for path in ("README.md", "kernels/README.md") if path in repository.files]
+    texts = [(path, 1, repository.text(path)) for path in pages] + list(interface_texts(repository))
     return [
-        f"{path}:{number}: a sentence of {count} words, {MOST_WORDS} at most: {sentence[:90]}"
-        for path in pages
+        f"{path}:{first + number - 1}: a sentence of {count} words, {MOST_WORDS} at most: {sentence[:90]}"
+        for path, first, text in texts
         for parts in [cells if path.startswith("docs/reference/") else paragraphs]
-        for number, part in parts(repository.text(path))
+        for number, part in parts(text)
         for count, sentence in long_sentences(part)
     ]
 

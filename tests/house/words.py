@@ -4,6 +4,7 @@ headers have names that differ only by case or by a plural s."""
 import collections
 import re
 
+from interface_texts import interface_texts
 from repository import run
 
 RETIRED = {
@@ -33,10 +34,11 @@ def retired_in(text):
 
 
 def name_faults(repository):
-    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", "examples", suffixes=CODE + (".py", ".sh")):
+    folders = ("kernels", "host", "present", "mesh_tools", "python", "tests", "examples")
+    for path in repository.under(*folders, suffixes=CODE + (".py", ".sh")):
         for word in retired_in(path.rsplit(".", 1)[0].replace("/", " ")):
             yield f'{path}: the file name has the retired word "{word}"'
-    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", "examples", suffixes=CODE):
+    for path in repository.under(*folders, suffixes=CODE):
         text = repository.text(path)
         for match in TOKEN.finditer(text):
             # What tests put into files and read from them is theirs to choose.
@@ -47,10 +49,12 @@ def name_faults(repository):
                 yield f'{path}:{line}: retired word "{word}" in {match.group()[:60]}'
 
 
-def page_faults(repository):
+def text_faults(repository):
     pages = [path for path in repository.under("docs", suffixes=(".md",)) if path != "docs/changes.md"]
-    for path in [*pages, *(path for path in ("README.md", "dev") if path in repository.files)]:
-        for number, line in enumerate(repository.text(path).splitlines(), 1):
+    pages += [path for path in ("README.md", "dev") if path in repository.files]
+    texts = [(path, 1, repository.text(path)) for path in pages] + list(interface_texts(repository))
+    for path, first, text in texts:
+        for number, line in enumerate(text.splitlines(), first):
             # A scene may call its light a lamp.
             for word in retired_in(re.sub(r'= "lamp"', "", line)):
                 yield f'{path}:{number}: retired word "{word}"'
@@ -70,7 +74,7 @@ def type_faults(repository):
 
 
 def check(repository):
-    return [*name_faults(repository), *page_faults(repository), *type_faults(repository)]
+    return [*name_faults(repository), *text_faults(repository), *type_faults(repository)]
 
 
 if __name__ == "__main__":
