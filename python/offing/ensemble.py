@@ -19,8 +19,13 @@ import inspect
 import itertools
 import json
 import logging
+import multiprocessing
+import numbers
+import operator
 import os
 import pathlib
+import pickle
+import sys
 import tempfile
 import types
 import zipfile
@@ -57,7 +62,8 @@ def run(
 
     With `folder`, each result is written there when its member is done. A later call with equal inputs reads it. The
     file's name is a hash of the scene, the files that the scene names, the version of Offing, `device` and the
-    function. The function counts with its source, default arguments, closure, and functions of its module that it uses.
+    function. The function counts with its source, default arguments and closure. Numbers, texts, arrays and collections
+    of its module that it uses count too, and so do functions of its module or package.
 
     `client` sets where members run. Results do not depend on it:
 
@@ -66,28 +72,57 @@ def run(
     - "serial": this process.
     - the address of a Dask scheduler, or a Client or Cluster of dask.distributed: its workers.
 
-    Workers open Device(device). progress(done, count) is called after each member. When a worker dies, Dask repeats its
-    member elsewhere. The first member that raises an error ends the run; finished results stay in the folder.
+    Workers open Device(device). progress(done, count) is called after each member. With None, a line on stderr shows
+    the progress if stderr is a terminal; with False, nothing does. When a worker dies, Dask repeats its member elsewhere.
+    The first member that raises an error ends the run; finished results stay in the folder.
     """
+    if client != "serial" and _is_worker_without_guard():
+        sys.exit(1)  # without a word: the main process reports it
     dimension, labels, changes = _members(seeds, records, parameters)
     scene = Scene(scene)
     scenes = [scene.with_values(of_member) for of_member in changes]  # raises for bad values before anything runs
     files = _names(function, scenes, folder, device)
     results = [file and _read(file) for file in files]
-    done = sum(result is not None for result in results)
     missing = [index for index, result in enumerate(results) if result is None]
-    if progress is not None and done:
-        progress(done, len(scenes))
+    described = [str(of) for of in changes] if dimension == "member" else [f"{dimension} {of}" for of in labels]
 
-    with contextlib.closing(_computed(function, scenes, missing, client, device)) as computed:
-        for index, result in computed:
-            if files[index]:
-                _write(files[index], result)
-            results[index] = result
-            done += 1
-            if progress is not None:
-                progress(done, len(scenes))
+    with contextlib.closing(_Progress(progress, dimension, len(scenes))) as shown:
+        shown.add(len(scenes) - len(missing))
+        if missing:
+            shown.note("starting workers")
+            with _connected(client, len(missing)) as connection:
+                shown.note("")
+                computed = _computed(connection, function, scenes, described, missing, device)
+                with contextlib.closing(computed):
+                    for index, result in computed:
+                        if files[index]:
+                            _write(files[index], result)
+                        results[index] = result
+                        shown.add(1)
     return _dataset(dimension, labels, changes, scene, results)
+
+
+class _Progress:
+    """Shows how many members are done, as the argument `progress` of run() says."""
+
+    def __init__(self, progress, name, count):
+        self._has_line = progress is None and sys.stderr is not None and sys.stderr.isatty()
+        self._call, self._name, self._done, self._count = progress, name, 0, count
+
+    def add(self, members):
+        self._done += members
+        if self._call and members:
+            self._call(self._done, self._count)
+        self.note("")
+
+    def note(self, text):
+        if self._has_line:
+            line = f"{self._name}s {self._done}/{self._count}{text and ': '}{text}"
+            print(f"\r{line:<60}", end="", file=sys.stderr, flush=True)
+
+    def close(self):
+        if self._has_line:
+            print(file=sys.stderr)
 
 
 # The members
@@ -102,10 +137,10 @@ def _members(seeds, records, parameters):
             'use parameters for several values at once: [{"world": {"seed": 1}, "wind": {"speed_mps": 12}}]',
         )
     if seeds is not None:
-        labels = [int(seed) for seed in seeds]
+        labels = _whole("seeds", seeds)
         members = "seed", labels, [{"world": {"seed": seed}} for seed in labels]
     elif records is not None:
-        labels = [int(record) for record in records]
+        labels = _whole("records", records)
         members = "record", labels, [{"ocean": {"record": record}} for record in labels]
     else:
         changes = [_plain(values) for values in parameters]
@@ -113,6 +148,13 @@ def _members(seeds, records, parameters):
     if not members[1]:
         raise BadInput("ensemble: expected at least one member, got none", "pass seeds=range(1, 101), for example")
     return members
+
+
+def _whole(name, values):
+    try:
+        return [operator.index(value) for value in values]
+    except TypeError as error:
+        raise BadInput(f"{name}: expected whole numbers: {error}", f"pass {name}=range(10), for example") from None
 
 
 def _plain(value):
@@ -124,63 +166,68 @@ def _plain(value):
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _computed(function, scenes, missing, client, device):
+def _computed(connection, function, scenes, described, missing, device):
     """Computes the missing members; yields (index, result) as each is done."""
-    if not missing:
-        return
-    if client == "serial":
+
+    def pickled(index):
+        # The serial run pickles scenes too, because the values of a spectrum change by rounding then.
+        return pickle.dumps(scenes[index])
+
+    if connection is None:
         for index in missing:
-            with _naming(index, scenes[index]):
-                result = _compute(function, scenes[index], device)
+            with _naming(index, described):
+                result = _compute(function, pickled(index), device)
             yield index, result
         return
 
     from dask.distributed import KilledWorker, as_completed
 
-    with _connected(client, len(missing)) as connection:
-        futures = {connection.submit(_compute, function, scenes[index], device, pure=False): index for index in missing}
-        try:
-            for future in as_completed(list(futures)):
-                index = futures[future]
-                try:
-                    with _naming(index, scenes[index]):
-                        result = future.result()
-                except KilledWorker as error:
-                    raise Error(
-                        f"member {index}: the workers that computed it died: {error}",
-                        "give workers more memory, or start fewer: client=2; then run it again with the same folder",
-                    ) from None
-                del futures[future]
-                yield index, result
-        finally:
-            connection.cancel(list(futures))
+    futures = {connection.submit(_compute, function, pickled(index), device, pure=False): index for index in missing}
+    try:
+        for future in as_completed(list(futures)):
+            index = futures[future]
+            try:
+                with _naming(index, described):
+                    result = future.result()
+            except KilledWorker as error:
+                raise Error(
+                    f"member {index}: the workers that computed it died: {error}",
+                    "give workers more memory, or start fewer: client=2; then run it again with the same folder",
+                ) from None
+            del futures[future]
+            yield index, result
+    finally:
+        connection.cancel(list(futures))
 
 
 @contextlib.contextmanager
-def _naming(index, scene):
+def _naming(index, described):
     """Adds a note to an error: the member that raised it."""
     try:
         yield
     except Exception as error:
-        seed = scene.values.get("world", {}).get("seed", 1)
-        error.add_note(f"in member {index} of the ensemble, world.seed {seed}")
+        error.add_note(f"in member {index} of the ensemble: {described[index]}")
         raise
 
 
 @contextlib.contextmanager
 def _connected(client, member_count):
-    """A client of dask.distributed. Processes that it starts end when the context ends."""
+    """A client of dask.distributed; None for "serial". Processes that it starts end when the context ends."""
+    if client == "serial":
+        yield None
+        return
     from dask.distributed import Client, LocalCluster
     from dask.system import CPU_COUNT
 
     if isinstance(client, Client):
         yield client
     elif client is None or isinstance(client, int):
-        workers = client or min(CPU_COUNT, member_count)
+        if client is not None and client < 1:
+            raise BadInput(f"client: expected at least 1 process, got {client}", "pass None for one for each core")
         environment = {name: os.environ.get(name, value) for name, value in ONE_THREAD.items()}
         try:
             cluster = LocalCluster(
-                n_workers=workers,
+                n_workers=client or min(CPU_COUNT, member_count),
                 threads_per_worker=1,
                 processes=True,
                 dashboard_address=":0",  # any free port: no warning where 8787 is taken
@@ -191,7 +238,7 @@ def _connected(client, member_count):
         except RuntimeError:
             raise Error(
                 "ensemble: worker processes could not be started",
-                'a script must call run() below `if __name__ == "__main__":`, or with client="serial"',
+                'put the call of run() below `if __name__ == "__main__":` in the script, or use client="serial"',
             ) from None
         with cluster, Client(cluster) as connection:
             yield connection
@@ -207,6 +254,13 @@ def _connected(client, member_count):
             yield connection
 
 
+def _is_worker_without_guard():
+    """Whether this is a worker that Dask starts and that, to begin with, imports a script that calls run(): its call is
+    not below `if __name__ == "__main__":`."""
+    process = multiprocessing.current_process()
+    return process.name.startswith("Dask Worker") and getattr(process, "_inheriting", False)
+
+
 @functools.cache
 def _device(selector):
     """The device that all members in this process share."""
@@ -214,8 +268,8 @@ def _device(selector):
 
 
 def _compute(function, scene, device):
-    """The result of a member: a dict of name -> (dimensions, array)."""
-    found = function(World(scene, device=device if isinstance(device, Device) else _device(device)))
+    """The result of a member: a dict of name -> (dimensions, array). `scene` is pickled."""
+    found = function(World(pickle.loads(scene), device=device if isinstance(device, Device) else _device(device)))
     if not isinstance(found, dict) or not found:
         raise BadInput(
             f"{_name_of(function)}: expected a dict of results, got {type(found).__name__}",
@@ -273,20 +327,47 @@ def _identity(function, seen):
     if isinstance(function, functools.partial):
         values = [*function.args, *itertools.chain(*sorted(function.keywords.items()))]
         return ["partial", _identity(function.func, seen), [_value(value, seen) for value in values]]
+    if isinstance(function, types.MethodType):
+        return ["method", _identity(function.__func__, seen), _identity(function.__self__, seen)]
+    if isinstance(function, type):
+        return _text(function)
     if not isinstance(function, types.FunctionType):
         return [_text(type(function)), _value(getattr(function, "__dict__", None), seen)]
     if function in seen:
         return function.__qualname__
     seen.add(function)
+    named = [function.__globals__.get(name) for name in sorted(_names_in(function.__code__))]
+    named = [of for of in named if _is_plain(of) or _is_in_package_of(function, of)]
     cells = [cell.cell_contents for cell in function.__closure__ or ()]
-    named = [function.__globals__.get(name) for name in sorted(set(function.__code__.co_names))]
-    named = [of for of in named if isinstance(of, types.FunctionType) and of.__module__ == function.__module__]
     values = [*cells, *(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values(), *named]
     return [_text(function), [_value(value, seen) for value in values]]
 
 
+def _names_in(code):
+    """The names that a function's code uses, with the code of comprehensions and functions in it."""
+    inner = [constant for constant in code.co_consts if isinstance(constant, types.CodeType)]
+    return set(code.co_names).union(*map(_names_in, inner))
+
+
+def _is_in_package_of(function, value):
+    def package(of):
+        return of.__module__.partition(".")[0]
+
+    return isinstance(value, types.FunctionType) and package(value) == package(function)
+
+
+def _is_plain(value):
+    """Whether a value is a number, text or array, or holds only those."""
+    if isinstance(value, dict):
+        return all(map(_is_plain, [*value, *value.values()]))
+    if isinstance(value, (tuple, list, set, frozenset)):
+        return all(map(_is_plain, value))
+    return isinstance(value, (numbers.Number, str, bytes, np.ndarray, np.generic))
+
+
 def _value(value, seen):
-    return _identity(value, seen) if isinstance(value, (types.FunctionType, functools.partial)) else value
+    is_function = isinstance(value, (types.FunctionType, types.MethodType, functools.partial))
+    return _identity(value, seen) if is_function else value
 
 
 def _text(source):

@@ -4,6 +4,8 @@ import functools
 import os
 import pathlib
 import signal
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -65,6 +67,54 @@ def test_two_workers_equal_serial(tmp_path):
     assert calls == [(200, 200)]
 
 
+def spectrum_bits(world):
+    spectrum = offing.Spectrum.of_scene(world.scene, world.scene._spectrum.frequencies_hz)
+    return {"density": (("frequency", "direction"), spectrum.density)}
+
+
+# Fails if the spectrum of an array differs in a worker: its values are rounded when they are pickled.
+def test_spectrum_of_arrays_has_the_same_bits():
+    scene = offing.Scene(SEA).with_spectrum(offing.Spectrum.read(SPECTRUM)[0])
+    same_bits(*(ensemble.run(spectrum_bits, scene, seeds=[1], client=client) for client in ("serial", 1)))
+
+
+UNGUARDED = """
+import offing.ensemble
+
+def hs(world):
+    return {"hs_m": world.sea_state()["hs_m"]}
+
+print(offing.ensemble.run(hs, {"ocean": {"size": 16}}, seeds=range(4), client=2))
+"""
+
+
+# Fails if a script without a guard gets more than its own traceback and the line with the fix.
+def test_script_without_guard(tmp_path):
+    (tmp_path / "study.py").write_text(UNGUARDED)
+    result = subprocess.run([sys.executable, "study.py"], capture_output=True, text=True, cwd=tmp_path, check=False)
+    assert result.returncode == 1 and not result.stdout
+    assert result.stderr.count("Traceback") == 1 and "distributed" not in result.stderr, result.stderr
+    assert result.stderr.splitlines()[-2:] == [
+        "offing.errors.Error: ensemble: worker processes could not be started",
+        'hint: put the call of run() below `if __name__ == "__main__":` in the script, or use client="serial"',
+    ]
+
+
+# Fails if a terminal shows nothing while workers start, or a file gets a progress line.
+def test_progress_line(tmp_path):
+    guarded = UNGUARDED.replace("print(", "if __name__ == '__main__':\n    print(")
+    (tmp_path / "study.py").write_text(guarded.replace("client=2", "client=1"))
+    command = [sys.executable, "study.py"]
+    terminal, its_end = os.openpty()
+    subprocess.run(command, stdout=subprocess.DEVNULL, stderr=its_end, cwd=tmp_path, check=True)
+    shown = os.read(terminal, 10000).decode()
+    os.close(its_end)
+    os.close(terminal)
+    lines = [line.strip() for line in shown.split("\r") if line.strip()]
+    assert lines[:2] == ["seeds 0/4", "seeds 0/4: starting workers"] and lines[-1] == "seeds 4/4", shown
+    assert subprocess.run(command, capture_output=True, cwd=tmp_path, check=True).stderr == b""
+
+
 # Fails if a worker's death loses members, or changes them.
 def test_killed_worker(tmp_path):
     function = functools.partial(heights_but_die_once, mark=str(tmp_path / "died"), fatal_seed=7)
@@ -105,14 +155,14 @@ def test_restart(tmp_path):
 def test_error_names_member():
     with pytest.raises(ValueError) as caught:
         ensemble.run(fail_on_three, SEA, seeds=range(1, 6), client="serial")
-    assert caught.value.__notes__ == ["in member 2 of the ensemble, world.seed 3"]
+    assert caught.value.__notes__ == ["in member 2 of the ensemble: seed 3"]
 
 
 # Fails if an error in a worker is lost or retried.
 def test_error_in_worker():
     with pytest.raises(ValueError, match="three") as caught:
         ensemble.run(fail_on_three, SEA, seeds=range(1, 6), client=1)
-    assert caught.value.__notes__ == ["in member 2 of the ensemble, world.seed 3"]
+    assert caught.value.__notes__ == ["in member 2 of the ensemble: seed 3"]
 
 
 # Fails if parameters do not reach the scene, or their coordinates are wrong.
@@ -144,6 +194,10 @@ def test_bad_values_first():
         ensemble.run(pytest.fail, SEA, parameters=[{}, {"wind": {"speed_mps": -1}}], client="serial")
     with pytest.raises(offing.BadInput, match="one of seeds, records and parameters"):
         ensemble.run(pytest.fail, SEA, seeds=[1], records=[1])
+    with pytest.raises(offing.BadInput, match="seeds: expected whole numbers"):
+        ensemble.run(pytest.fail, SEA, seeds=[1.5])
+    with pytest.raises(offing.BadInput, match="at least 1 process"):
+        ensemble.run(pytest.fail, SEA, seeds=[1], client=0)
 
 
 @pytest.mark.parametrize(
@@ -168,12 +222,30 @@ def test_unequal_shapes():
         )
 
 
+FACTOR = 3
+
+
 def helper():
     return 1
 
 
 def uses_helper(world):
-    return {"a": helper()}
+    return {"a": [helper() for _ in range(2)]}
+
+
+def uses_constant(world):
+    return {"a": FACTOR}
+
+
+class Study:
+    def __init__(self, value):
+        self.value = value
+
+    def low(self, world):
+        return {"a": self.value}
+
+    def high(self, world):
+        return {"a": self.value + 1}
 
 
 # Fails if equal inputs get two names, or other inputs the same name.
@@ -194,6 +266,9 @@ def test_names(tmp_path):
         name(uses_helper),
         name(closing_over(1)),
         name(closing_over(2)),
+        name(Study(1).low),
+        name(Study(1).high),
+        name(Study(2).high),
         name(partial(fail_on_three)),
         name(partial(heights, a=1)),
         name(partial(heights, a=np.arange(3))),
@@ -201,7 +276,7 @@ def test_names(tmp_path):
     ]
     assert len(set(names)) == len(names)
     assert name() == name() and name(partial(heights, a=1)) == name(partial(heights, a=1))
-    assert name(closing_over(1)) == name(closing_over(1))
+    assert name(closing_over(1)) == name(closing_over(1)) and name(Study(1).low) == name(Study(1).low)
 
 
 # Fails if a name is made of what has another text in each process.
@@ -212,7 +287,7 @@ def test_values_without_hash(tmp_path):
     assert "leave out folder" in caught.value.hint
 
 
-# Fails if a changed helper or a changed file leaves the name as it was.
+# Fails if a changed helper, constant or file leaves the name as it was.
 def test_names_follow_helpers_and_files(tmp_path, monkeypatch):
     def name(function, values=SEA):
         return ensemble._names(function, [offing.Scene(values, folder=tmp_path)], tmp_path / "members", None)[0]
@@ -220,6 +295,9 @@ def test_names_follow_helpers_and_files(tmp_path, monkeypatch):
     before = name(uses_helper)
     monkeypatch.setitem(globals(), "helper", lambda: 2)
     assert name(uses_helper) != before
+    before = name(uses_constant)
+    monkeypatch.setitem(globals(), "FACTOR", 4)
+    assert name(uses_constant) != before
 
     for file in SPECTRUM.parent.glob("example_sea.*"):
         (tmp_path / file.name).write_bytes(file.read_bytes())
