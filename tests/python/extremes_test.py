@@ -118,8 +118,21 @@ def test_band_holds_gaussian_series(monkeypatch):
     for kind in ("maxima", "crests"):
         outside = [not extremes.analyse(study, 1.0)[kind]["in_band"] for study in studies]
         assert sum(outside) <= 9, kind
-    monkeypatch.setattr(extremes, "cartwright_longuet_higgins", lambda height, epsilon: extremes.rayleigh(height))
+    monkeypatch.setattr(extremes.band, "cartwright_longuet_higgins", lambda height, epsilon: extremes.rayleigh(height))
     assert not any(extremes.analyse(study, 1.0)["maxima"]["in_band"] for study in studies)
+
+
+# Fails if a limit runs off the plot: lower limits of 0 lie at the end of a logarithmic axis, out of sight.
+def test_limits_stay_on_the_plot(monkeypatch):
+    figure = pytest.importorskip("matplotlib.figure").Figure
+    figures = []
+    monkeypatch.setattr(figure, "savefig", lambda self, *arguments, **options: figures.append(self))
+    found = extremes.analyse(study_of(np.random.default_rng(3), seeds=10), 1.0)
+    assert any(row["crests"] > 0 and row["crests_low"] == 0 for row in extremes.table_rows(found))
+    extremes.plot(found | {"seeds": 10, "duration_s": 350, "points": 4}, "unused.png")
+    (axes,) = figures[0].axes
+    ends = np.concatenate([segment[:, 1] for bars in axes.collections for segment in bars.get_segments()])
+    assert len(ends) > 20 and ends.min() > axes.get_ylim()[0] and ends.max() < axes.get_ylim()[1]
 
 
 # Fails if the wavelength does not solve w^2 = g k tanh(k D).
@@ -172,11 +185,27 @@ def test_program(tmp_path):
     assert again.returncode == 2
     assert again.stderr.splitlines() == [
         "error: crests.csv: expected a new file, found an existing one",
-        "hint: name another with -o, or add --force",
+        "hint: name another with -o, or add --force: it replaces the files, and uses finished seeds again",
     ]
     again = program(*options, "--force", folder=tmp_path)
     assert again.returncode == 0 and again.stderr == "seeds 10/10\n"
     assert json.loads((tmp_path / "crests.json").read_text()) == printed
+
+
+# Fails if an option that has no effect is passed over.
+@pytest.mark.parametrize(
+    "options, warning",
+    [
+        ((), ""),
+        (("--record", "1"), "warning: --record: not used without a file\n"),
+        ((str(SPECTRUM), "--record", "1"), ""),
+        ((str(SPECTRUM), "--fetch-m", "1000"), "warning: --fetch-m: not used with a spectrum file\n"),
+        ((str(SPECTRUM.with_name("storm.toml")), "--record", "0"), "warning: --record: not used with a scene\n"),
+    ],
+)
+def test_unused_options(options, warning, capsys):
+    extremes.scene_of(extremes.parse(options))
+    assert capsys.readouterr().err == warning
 
 
 # Fails if bad input does not end with exit code 2 or 3 and two lines.
@@ -186,7 +215,9 @@ def test_program(tmp_path):
         (("--seeds", 3), 2, "--seeds: expected at least 10"),
         (("--seeds", "many"), 2, "argument --seeds"),
         (("--choppiness", "nan"), 2, "--choppiness: expected"),
-        (("nowhere.spec",), 2, "nowhere.spec"),
+        (("nowhere.spec",), 2, "error: nowhere.spec: expected"),
+        ((SPECTRUM, "--record", 3), 2, "error: --record: expected one within [0, 2], got 3"),
+        (("--client", 0), 2, "client: expected at least 1 process"),
         (("--size", 100), 2, "size"),
         (("--device", "nothing", "--client", "serial"), 3, "nothing"),
     ],
