@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import offing
-from offing import ensemble
+from offing import ensemble, result_files
 
 pytest.importorskip("xarray")
 distributed = pytest.importorskip("distributed")
@@ -253,7 +253,7 @@ def test_names(tmp_path):
     scene = offing.Scene(SEA)
 
     def name(function=heights, scene=scene, device=None):
-        return ensemble._names(function, [scene], tmp_path, device)[0]
+        return result_files.names(function, [scene], tmp_path, device)[0]
 
     def closing_over(value):
         return lambda world: {"a": value}
@@ -290,7 +290,7 @@ def test_values_without_hash(tmp_path):
 # Fails if a changed helper, constant or file leaves the name as it was.
 def test_names_follow_helpers_and_files(tmp_path, monkeypatch):
     def name(function, values=SEA):
-        return ensemble._names(function, [offing.Scene(values, folder=tmp_path)], tmp_path / "members", None)[0]
+        return result_files.names(function, [offing.Scene(values, folder=tmp_path)], tmp_path / "members", None)[0]
 
     before = name(uses_helper)
     monkeypatch.setitem(globals(), "helper", lambda: 2)
