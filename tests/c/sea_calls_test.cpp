@@ -221,7 +221,7 @@ TEST_F(SeaCallsTest, AThreadMayChangeAScene) {
   std::thread other([&] {
     for (std::size_t i = 0; !is_done; i = 1 - i) offing_set_spectrum(shared, spectra[i], 0);
   });
-  for (int i = 0; i < 60; ++i) EXPECT_THAT(measured_hs_m(), testing::AnyOf(hs_m[0], hs_m[1]));
+  for (int i = 0; i < 20; ++i) EXPECT_THAT(measured_hs_m(), testing::AnyOf(hs_m[0], hs_m[1]));
   OffingWorld* made = nullptr;
   EXPECT_EQ(offing_make_world(device(), shared, &made), OFFING_OK) << offing_last_error();
   is_done = true;
