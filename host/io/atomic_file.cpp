@@ -120,8 +120,7 @@ fs::path folder_of(const fs::path& file) {
 
 void refuse_existing(const fs::path& output, const char* hint) {
   throw Error(ErrorKind::bad_usage,
-              fmt::format("{}: expected a new file, found an existing one", one_line(output.string())),
-              hint);
+              fmt::format("{}: expected a new file, found an existing one", one_line(output.string())), hint);
 }
 
 AtomicFile::AtomicFile(fs::path target, Existing existing) : target_(std::move(target)), existing_(existing) {

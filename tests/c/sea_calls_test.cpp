@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -219,7 +220,10 @@ TEST_F(SeaCallsTest, AThreadMayChangeAScene) {
   ASSERT_NE(hs_m[0], hs_m[1]);
   std::atomic<bool> is_done = false;
   std::thread other([&] {
-    for (std::size_t i = 0; !is_done; i = 1 - i) offing_set_spectrum(shared, spectra[i], 0);
+    for (std::size_t i = 0; !is_done; i = 1 - i) {
+      offing_set_spectrum(shared, spectra[i], 0);
+      std::this_thread::sleep_for(std::chrono::microseconds(20));  // leaves the lock to the others
+    }
   });
   for (int i = 0; i < 20; ++i) EXPECT_THAT(measured_hs_m(), testing::AnyOf(hs_m[0], hs_m[1]));
   OffingWorld* made = nullptr;
