@@ -227,6 +227,8 @@ class ProgressTest(unittest.TestCase):
 
     # Fails if Ctrl-C waits for the end of a call that nobody watches, or other threads do: 100000 seeds take hours.
     def test_interrupts_stop(self):
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)  # shells ignore it in the background
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         timer = threading.Timer(0.2, signal.raise_signal, (signal.SIGINT,))
         with self.assertRaises(KeyboardInterrupt):
             timer.start()
