@@ -48,6 +48,16 @@ OffingSeaStatistics to_statistics(const offing::scene::Certificate& found) {
   values.hs_standard_error_m = found.standard_error.hs_m;
   values.tm02_standard_error_s = found.standard_error.tm02_s;
   values.mean_direction_standard_error_rad = found.standard_error.mean_direction_rad;
+  values.asked_peak_period_s = found.asked.peak_period_s;
+  values.asked_peak_direction_rad = whole_turn_rad(found.asked.peak_direction_rad);
+  values.asked_spread_rad = found.asked.spread_rad;
+  values.resolved_peak_period_s = found.resolved.peak_period_s;
+  values.resolved_peak_direction_rad = whole_turn_rad(found.resolved.peak_direction_rad);
+  values.resolved_spread_rad = found.resolved.spread_rad;
+  values.peak_period_s = found.peak_period_s.mean;
+  values.peak_direction_rad = whole_turn_rad(found.peak_direction_rad.mean);
+  values.spread_rad = found.spread_rad.mean;
+  values.peak_period_standard_error_s = found.standard_error.peak_period_s;
   return values;
 }
 

@@ -159,8 +159,8 @@ OffingStatus offing_read_spectra(const char* file, OffingSpectra** spectra);
  * first two circular moments, and takes the spreading of maximum entropy. A text of NULL or a depth of 0
  * means not known. */
 OffingStatus offing_make_spectrum(const OffingSpectrum* spectrum, OffingSpectra** spectra);
-/** Tabulates the spectrum of a scene's sea, without swells, at these frequencies and at `direction_count`
- * evenly spaced directions. With 0 directions it has energies alone. */
+/** Tabulates the spectrum of a scene's sea, without swells that are one wave, at these frequencies and at
+ * `direction_count` evenly spaced directions. With 0 directions it has energies alone. */
 OffingStatus offing_tabulate_spectrum(const OffingScene* scene, const double* frequencies_hz,
                                       size_t frequency_count, size_t direction_count,
                                       OffingSpectra** spectra);
@@ -182,8 +182,13 @@ typedef struct OffingSeaState {
   double tm01_s, tm02_s;     /**< m0 / m1 and sqrt(m0 / m2) */
   double mean_direction_rad; /**< of travel, 0 to 2 pi */
   double mss;                /**< mean square slope */
+  double peak_period_s;      /**< 1 / f where the density E(f) is largest */
+  double peak_direction_rad; /**< of travel, of the waves at the peak period */
+  double spread_rad;         /**< sqrt(2 (1 - r)), r the length of the mean direction vector */
 } OffingSeaState;
-/** The sea state of the spectrum of a scene's sea, without swells. */
+/** The sea state of the spectrum of a scene's sea, without swells that are one wave. Scenes give a sea by
+ * height and period: `[ocean] hs_m = 2.5, tp_s = 8`, and irregular swells: `[[ocean.swell]] hs_m = 1, tp_s =
+ * 14`. */
 OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* state);
 
 /** Statistics of a sea, as `offing ocean stats` prints them (docs/ocean.md). Directions are of travel, 0 to
@@ -202,6 +207,11 @@ typedef struct OffingSeaStatistics {
   double folded_share;       /**< measured, share of the surface that folds over itself */
   /** Standard errors of measured from resolved values. */
   double hs_standard_error_m, tm02_standard_error_s, mean_direction_standard_error_rad;
+  /** As in OffingSeaState: of the spectrum, expected of the maps, measured. */
+  double asked_peak_period_s, asked_peak_direction_rad, asked_spread_rad;
+  double resolved_peak_period_s, resolved_peak_direction_rad, resolved_spread_rad;
+  double peak_period_s, peak_direction_rad, spread_rad;
+  double peak_period_standard_error_s;
 } OffingSeaStatistics;
 /** Measures a scene's sea on its surface, averaged over seeds: `seeds` of them, 1 to 100000, counted up from
  * the scene's seed. The time is in proportion to `seeds`; start with 8. `progress` may be NULL. */

@@ -220,6 +220,9 @@ OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* stat
     values.tm02_s = found.tm02_s;
     values.mean_direction_rad = found.mean_direction_rad;
     values.mss = found.mss;
+    values.peak_period_s = found.peak_period_s;
+    values.peak_direction_rad = found.peak_direction_rad;
+    values.spread_rad = found.spread_rad;
     offing::c::write_struct(state, "state", values);
   });
 }

@@ -102,9 +102,10 @@ class Scene:
         return scene
 
     def sea_state(self) -> dict[str, float]:
-        """The sea state of the spectrum, without swells, as a dict of hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad and
-        mss. tp_s is the integral of E^4 df over that of f E^4 df. The direction is of travel, from east toward south.
-        mss is the mean square slope."""
+        """The sea state of the spectrum, without swells that are one wave, as a dict: hs_m, peak_period_s (where the
+        density E(f) is largest), tp_s (the integral of E^4 df over that of f E^4 df), tm01_s, tm02_s and its other name
+        tz_s, mean_direction_rad, peak_direction_rad (of the waves at the peak period), spread_rad (their standard
+        deviation over all waves) and mss (mean square slope). Directions are of travel, from east toward south."""
         return self._scene.sea_state()
 
     def __getstate__(self):

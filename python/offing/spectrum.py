@@ -56,7 +56,7 @@ class Spectrum:
 
     @classmethod
     def of_scene(cls, scene: Scene, frequencies_hz: npt.ArrayLike | None = None, directions: int = 36) -> "Spectrum":
-        """The spectrum of a scene's sea, without swells, at these frequencies and at `directions` evenly spaced
+        """The spectrum of a scene's sea, without swells that are one wave, at these frequencies and at `directions` evenly spaced
         directions. With 0 directions it has energies alone."""
         if frequencies_hz is None:
             frequencies_hz = np.geomspace(0.03, 1.0, 100)
@@ -66,7 +66,8 @@ class Spectrum:
     def model(cls, name: str, *, wind_speed_mps: float = 10.0, wind_direction_rad: float = 0.0,
               frequencies_hz: npt.ArrayLike | None = None, directions: int = 36, **values) -> "Spectrum":
         """A model spectrum: "jonswap", "pm", "tma" or "phillips". `values` are other keys of [ocean], such as fetch_m,
-        depth_m and gamma. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
+        depth_m and gamma; hs_m with tp_s or tz_s replaces wind and fetch; swell=[{"hs_m": 1.0, "tp_s": 14.0,
+        "direction_deg": 60.0}] adds swells. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
         wind = {"speed_mps": float(wind_speed_mps), "direction_deg": math.degrees(wind_direction_rad) % 360.0}
         return cls.of_scene(Scene({"wind": wind, "ocean": {"spectrum": name, **values}}), frequencies_hz, directions)
 
@@ -82,6 +83,36 @@ class Spectrum:
             return math.nan
         by_direction = _integral(self.density, self.frequencies_hz, axis=0)
         return math.atan2(by_direction @ np.sin(self.directions_rad), by_direction @ np.cos(self.directions_rad))
+
+    @property
+    def peak_period_s(self) -> float:
+        """The period at which the energy density is largest; NaN without energy."""
+        largest = np.argmax(self.energy)
+        return 1.0 / self.frequencies_hz[largest] if self.energy[largest] > 0.0 else math.nan
+
+    @property
+    def tz_s(self) -> float:
+        """The mean zero-crossing period Tm02, sqrt(m0 / m2); NaN without energy."""
+        m2 = _integral(self.energy * self.frequencies_hz**2, self.frequencies_hz)
+        return math.sqrt(_integral(self.energy, self.frequencies_hz) / m2) if m2 > 0.0 else math.nan
+
+    @property
+    def peak_direction_rad(self) -> float:
+        """Mean direction of travel at the peak period; NaN if directions are not known."""
+        if self.density is None:
+            return math.nan
+        at_peak = self.density[np.argmax(self.energy)]
+        return math.atan2(at_peak @ np.sin(self.directions_rad), at_peak @ np.cos(self.directions_rad))
+
+    @property
+    def spread_rad(self) -> float:
+        """Directional spread, sqrt(2 (1 - r)) with r the length of the mean direction vector of all energy; NaN if
+        directions are not known."""
+        if self.density is None:
+            return math.nan
+        by_direction = _integral(self.density, self.frequencies_hz, axis=0)
+        r = abs(by_direction @ np.exp(1j * self.directions_rad)) / by_direction.sum()
+        return math.sqrt(max(2.0 * (1.0 - r), 0.0))
 
     @staticmethod
     def to_xarray(spectra: "Spectrum | list[Spectrum]"):

@@ -165,10 +165,14 @@ class Scene {
     run([&] { return offing_get_sea_state(get(), &found); });
     nb::dict values;
     values["hs_m"] = found.hs_m;
+    values["peak_period_s"] = found.peak_period_s;
     values["tp_s"] = found.tp_s;
     values["tm01_s"] = found.tm01_s;
     values["tm02_s"] = found.tm02_s;
+    values["tz_s"] = found.tm02_s;
     values["mean_direction_rad"] = found.mean_direction_rad;
+    values["peak_direction_rad"] = found.peak_direction_rad;
+    values["spread_rad"] = found.spread_rad;
     values["mss"] = found.mss;
     return values;
   }
@@ -191,19 +195,32 @@ class Scene {
       values["mss"] = mss;
       return values;
     };
+    const auto add_peak = [](nb::dict& values, double period_s, double direction_rad, double spread_rad) {
+      values["peak_period_s"] = period_s;
+      values["tz_s"] = values["tm02_s"];
+      values["peak_direction_deg"] = degrees(direction_rad);
+      values["spread_deg"] = degrees(spread_rad);
+    };
     nb::dict values, errors;
-    values["asked"] = state(found.asked_hs_m, found.asked_tp_s, found.asked_tm01_s, found.asked_tm02_s,
-                            found.asked_mean_direction_rad, found.asked_mss);
-    values["resolved"] = state(found.resolved_hs_m, found.resolved_tp_s, found.resolved_tm01_s,
-                               found.resolved_tm02_s, found.resolved_mean_direction_rad, found.resolved_mss);
+    nb::dict asked = state(found.asked_hs_m, found.asked_tp_s, found.asked_tm01_s, found.asked_tm02_s,
+                           found.asked_mean_direction_rad, found.asked_mss);
+    nb::dict resolved = state(found.resolved_hs_m, found.resolved_tp_s, found.resolved_tm01_s,
+                              found.resolved_tm02_s, found.resolved_mean_direction_rad, found.resolved_mss);
     nb::dict measured =
         state(found.hs_m, found.tp_s, found.tm01_s, found.tm02_s, found.mean_direction_rad, found.mss);
     measured["skewness"] = found.skewness;
     measured["kurtosis"] = found.kurtosis;
     measured["max_ka"] = found.max_ka;
     measured["folded_share"] = found.folded_share;
+    add_peak(asked, found.asked_peak_period_s, found.asked_peak_direction_rad, found.asked_spread_rad);
+    add_peak(resolved, found.resolved_peak_period_s, found.resolved_peak_direction_rad,
+             found.resolved_spread_rad);
+    add_peak(measured, found.peak_period_s, found.peak_direction_rad, found.spread_rad);
+    values["asked"] = asked;
+    values["resolved"] = resolved;
     values["measured"] = measured;
     errors["hs_m"] = found.hs_standard_error_m;
+    errors["peak_period_s"] = found.peak_period_standard_error_s;
     errors["tm02_s"] = found.tm02_standard_error_s;
     errors["mean_direction_deg"] = degrees(found.mean_direction_standard_error_rad);
     errors["mean_direction_rad"] = found.mean_direction_standard_error_rad;

@@ -22,7 +22,7 @@ TEST(OptionRows, AreThereForEachNumberOfOffing) {
   cli::add_commands(app, options);
   const OptionReport report =
       report_options(app, {"FILE", "PATTERN", "SCENE", "STORE", "channels", "colour", "compare", "depth",
-                           "device", "export-spectrum", "grid", "output", "plot", "points"});
+                           "device", "export-spectrum", "grid", "output", "plot", "points", "swell"});
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_THAT(report.numbers, SizeIs(testing::Gt(100u)));
 }

@@ -39,9 +39,11 @@ std::vector<std::string> keys(const json& object) {
 TEST(Stats, HasTheDocumentedKeys) {
   const json stats = parsed({"ocean", "stats", "--size", "32", "--seeds", "2", "--json", "--quiet"});
   EXPECT_THAT(keys(stats["asked"]),
-              testing::UnorderedElementsAre("hs_m", "tp_s", "tm01_s", "tm02_s", "mean_direction_deg", "mss"));
+              testing::UnorderedElementsAre("hs_m", "peak_period_s", "tp_s", "tm01_s", "tm02_s", "tz_s",
+                                            "mean_direction_deg", "peak_direction_deg", "spread_deg", "mss"));
   EXPECT_THAT(keys(stats["measured"]),
-              testing::UnorderedElementsAre("hs_m", "tp_s", "tm01_s", "tm02_s", "mean_direction_deg", "mss",
+              testing::UnorderedElementsAre("hs_m", "peak_period_s", "tp_s", "tm01_s", "tm02_s", "tz_s",
+                                            "mean_direction_deg", "peak_direction_deg", "spread_deg", "mss",
                                             "skewness", "kurtosis", "max_ka", "folded_share"));
   for (const auto& [name, value] : stats["measured"].items()) {
     EXPECT_TRUE(value.is_number()) << name;
@@ -77,6 +79,27 @@ TEST(Stats, SurfaceFollowsTheSpectrum) {
   // skewness is below 0.02, that of kurtosis below 0.05.
   EXPECT_NEAR(stats["measured"]["skewness"].get<double>(), 0.0, 0.08);
   EXPECT_NEAR(stats["measured"]["kurtosis"].get<double>(), 3.0, 0.2);
+}
+
+// Fails if flags of height and period do not replace a scene's wind and fetch, or two that say the same pass;
+// if swells of flags are not added, or their bearings are not. Asked figures are exact to 1e-5.
+TEST(Stats, TakesHeightPeriodAndSwells) {
+  const TemporaryFolder folder;
+  const std::string scene = (folder.path() / "a.toml").string();
+  std::ofstream(scene) << "version = 1\n[ocean]\nfetch_m = 5e4\nsize = 32\n";
+  const json stats =
+      parsed({"ocean", "stats", scene, "--hs-m", "2", "--tp-s", "8", "--swell",
+              "hs_m = 1, tp_s = 15, direction_deg = 300", "--swell", "hs_m=2,tp_s=11,direction_deg=10",
+              "--compass", "--seeds", "1", "--json", "--quiet"});
+  EXPECT_NEAR(stats["asked"]["hs_m"].get<double>(), 3.0, 1e-4);
+  EXPECT_NEAR(stats["asked"]["peak_period_s"].get<double>(), 11.0, 0.02);
+  EXPECT_NEAR(stats["asked"]["peak_direction_deg"].get<double>(), 10.0, 0.5);
+  const ProgramResult both = run_offing({"ocean", "stats", "--tp-s", "8", "--tz-s", "6"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.errors, testing::HasSubstr("expected either --tp-s or --tz-s, found both"));
+  const ProgramResult unknown = run_offing({"ocean", "stats", "--swell", "height=2"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors, testing::HasSubstr("expected a key of [[ocean.swell]], got \"height\""));
 }
 
 // Fails if seas of different seeds were scaled to one height (no spread), or scatter unlike their mode

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <numbers>
+
 namespace offing::cli {
+
+inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// How directions are written: of travel from +x toward +z, or as a nautical "from" bearing, clockwise from
 /// north.

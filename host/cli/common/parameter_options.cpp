@@ -3,13 +3,16 @@
 #include <algorithm>
 
 #include <CLI/Option.hpp>
+#include <fmt/format.h>
 
+#include "host/base/error.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/installed_scenes.h"
 #include "host/command_line/setting_options.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 
 namespace offing::cli {
 
@@ -79,7 +82,31 @@ bool is_list(const Parameter& parameter) {
 }
 
 bool is_direction(const Parameter& parameter) {
-  return parameter.unit == "deg";
+  return parameter.key.ends_with("direction_deg");
+}
+
+/// Whether of these two rows one counts in the other's stead.
+bool exclude_each_other(const Parameter& a, const Parameter& b) {
+  return a.instead_of == b.key || b.instead_of == a.key;
+}
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+/// The row of a key of [[ocean.swell]].
+const Parameter& swell_row(std::string_view name) {
+  constexpr std::string_view section = "ocean.swell";
+  if (const Parameter* row = scene::find_parameter(fmt::format("{}.{}", section, name))) return *row;
+  std::string known;
+  for (const Parameter& row : scene::parameter_table()) {
+    if (scene::section_of(row.key) == section)
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", scene::name_of(row.key));
+  }
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("--swell: expected a key of [[{}]], got \"{}\"", section, name),
+              "known keys: " + known);
 }
 
 double number_in(const scene::WrittenValue& written) {
@@ -114,6 +141,18 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
       option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
   }
+  if (std::find(groups.begin(), groups.end(), ParameterGroup::sea) != groups.end()) add_swell_option(command);
+}
+
+void ParameterOptions::add_swell_option(CLI::App& command) {
+  command
+      .add_option("--swell", swells_,
+                  "add a swell, with keys of [[ocean.swell]]; repeat it for several: --swell "
+                  "hs_m=1.5,tp_s=14,direction_deg=60,spread_deg=10")
+      ->type_name("KEY=VALUE,...")
+      ->group(title(ParameterGroup::sea))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 scene::Scene ParameterOptions::read() const {
@@ -121,8 +160,10 @@ scene::Scene ParameterOptions::read() const {
   if (!scene_file_.empty()) scene = scene::load_scene(scene_file_, trust_);
   scene.trust = trust_;
   for (const Flag& flag : flags_) {
-    read_flag(scene, flag);
+    if (!flag.values.empty()) take_out_others(scene, flag);
   }
+  for (const Flag& flag : flags_) read_flag(scene, flag);
+  for (const std::string& swell : swells_) read_swell(scene, swell);
   return scene;
 }
 
@@ -139,14 +180,49 @@ void ParameterOptions::read_flag(scene::Scene& scene, const Flag& flag) const {
   }
   const scene::Place place{.subject = std::string(parameter.flag),
                            .assignment = std::string(parameter.flag) + ' '};
-  for (const std::string& text : flag.values) {
-    scene::WrittenValue written = scene::read_flag_value(parameter, text);
+  for (const std::string& text : flag.values) store_flag(scene, parameter, text, place);
+}
+
+void ParameterOptions::store_flag(scene::Scene& scene, const Parameter& parameter, const std::string& text,
+                                  const scene::Place& place) const {
+  scene::WrittenValue written = scene::read_flag_value(parameter, text);
+  scene::store(scene, parameter, written, place);
+  if (is_direction(parameter) && directions_ == DirectionStyle::from_bearing) {
+    // Checked as it was written; now as the scene has it.
+    written.value = travel_deg(number_in(written));
     scene::store(scene, parameter, written, place);
-    if (is_direction(parameter) && directions_ == DirectionStyle::from_bearing) {
-      // Checked as it was written; now as the scene has it.
-      written.value = travel_deg(number_in(written));
-      scene::store(scene, parameter, written, place);
+  }
+}
+
+void ParameterOptions::take_out_others(scene::Scene& scene, const Flag& flag) const {
+  for (const Flag& other : flags_) {
+    const Parameter& row = *other.parameter;
+    if (&other == &flag || !exclude_each_other(*flag.parameter, row)) continue;
+    if (!other.values.empty()) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("{}: expected either {} or {}, found both", flag.parameter->flag,
+                              flag.parameter->flag, row.flag),
+                  "remove one of them");
     }
+    scene::copy_value(row, scene::default_struct(*row.section), scene::struct_at(&scene, *row.section, {}));
+    scene.set_at.erase({row.key, {}});
+  }
+}
+
+void ParameterOptions::read_swell(scene::Scene& scene, const std::string& text) const {
+  scene::append_element(scene, swell_row("hs_m"), {.subject = "--swell"});
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view part = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos) {
+      throw Error(ErrorKind::bad_usage, fmt::format("--swell: expected KEY=VALUE, got \"{}\"", part),
+                  "write --swell hs_m=1.5,tp_s=14,direction_deg=60");
+    }
+    const Parameter& row = swell_row(trimmed(part.substr(0, equals)));
+    store_flag(scene, row, std::string(trimmed(part.substr(equals + 1))),
+               {.subject = fmt::format("--swell: {}", scene::name_of(row.key)),
+                .assignment = fmt::format("{}=", scene::name_of(row.key))});
   }
 }
 

@@ -40,11 +40,19 @@ class ParameterOptions {
     std::optional<OptionRow> bound = std::nullopt;
   };
 
+  void add_swell_option(CLI::App& command);
   void read_flag(scene::Scene& scene, const Flag& flag) const;
+  void store_flag(scene::Scene& scene, const scene::Parameter& parameter, const std::string& text,
+                  const scene::Place& place) const;
+  /// What says the same as this flag in another way: of the scene it no longer counts. Throws
+  /// Error(bad_usage) if it is a flag that was given too.
+  void take_out_others(scene::Scene& scene, const Flag& flag) const;
+  void read_swell(scene::Scene& scene, const std::string& text) const;
 
   std::string scene_file_;
   Trust trust_ = Trust::trusted;
   DirectionStyle directions_ = DirectionStyle::travel;
+  std::vector<std::string> swells_;
   std::deque<Flag> flags_;  // a deque: CLI11 keeps references to the values
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -15,23 +14,32 @@
 namespace offing::cli {
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
 nlohmann::json state_json(const ocean::SeaState& state, DirectionStyle style) {
   return {{"hs_m", state.hs_m},
+          {"peak_period_s", state.peak_period_s},
           {"tp_s", state.tp_s},
           {"tm01_s", state.tm01_s},
           {"tm02_s", state.tm02_s},
+          {"tz_s", state.tm02_s},
           {"mean_direction_deg", direction_deg(state.mean_direction_rad, style)},
+          {"peak_direction_deg", direction_deg(state.peak_direction_rad, style)},
+          {"spread_deg", state.spread_rad * degrees_per_radian},
           {"mss", state.mss}};
 }
 
 /// Means or spreads of the measured figures under the documented names.
 nlohmann::json measured_json(const scene::Certificate& c, double scene::Measured::*part) {
-  return {{"hs_m", c.hs_m.*part},         {"tp_s", c.tp_s.*part},
-          {"tm01_s", c.tm01_s.*part},     {"tm02_s", c.tm02_s.*part},
-          {"mss", c.mss.*part},           {"skewness", c.skewness.*part},
-          {"kurtosis", c.kurtosis.*part}, {"folded_share", c.folded_share.*part}};
+  return {{"hs_m", c.hs_m.*part},
+          {"peak_period_s", c.peak_period_s.*part},
+          {"tp_s", c.tp_s.*part},
+          {"tm01_s", c.tm01_s.*part},
+          {"tm02_s", c.tm02_s.*part},
+          {"tz_s", c.tm02_s.*part},
+          {"spread_deg", c.spread_rad.*part * degrees_per_radian},
+          {"mss", c.mss.*part},
+          {"skewness", c.skewness.*part},
+          {"kurtosis", c.kurtosis.*part},
+          {"folded_share", c.folded_share.*part}};
 }
 
 struct Row {
@@ -74,11 +82,13 @@ std::string certificate_text(const scene::Certificate& c, const scene::Sea& sea,
                  "measured", "std.error", "sigma");
   append_row(text, {"Hs", "m", c.asked.hs_m, c.resolved.hs_m, c.hs_m.mean, c.hs_m.mean - c.resolved.hs_m,
                     c.standard_error.hs_m});
-  append_row(text, {"Tp", "s", c.asked.tp_s, c.resolved.tp_s, c.tp_s.mean, c.tp_s.mean - c.resolved.tp_s,
-                    observed(c.tp_s)});
+  append_row(text, {"peak period", "s", c.asked.peak_period_s, c.resolved.peak_period_s, c.peak_period_s.mean,
+                    c.peak_period_s.mean - c.resolved.peak_period_s, c.standard_error.peak_period_s});
+  append_row(text, {"Tp of E^4", "s", c.asked.tp_s, c.resolved.tp_s, c.tp_s.mean,
+                    c.tp_s.mean - c.resolved.tp_s, observed(c.tp_s)});
   append_row(text, {"Tm01", "s", c.asked.tm01_s, c.resolved.tm01_s, c.tm01_s.mean,
                     c.tm01_s.mean - c.resolved.tm01_s, observed(c.tm01_s)});
-  append_row(text, {"Tm02", "s", c.asked.tm02_s, c.resolved.tm02_s, c.tm02_s.mean,
+  append_row(text, {"Tz = Tm02", "s", c.asked.tm02_s, c.resolved.tm02_s, c.tm02_s.mean,
                     c.tm02_s.mean - c.resolved.tm02_s, c.standard_error.tm02_s});
   append_row(text, {"mean direction", direction_unit(style), direction_deg(c.asked.mean_direction_rad, style),
                     direction_deg(c.resolved.mean_direction_rad, style),
@@ -86,6 +96,16 @@ std::string certificate_text(const scene::Certificate& c, const scene::Sea& sea,
                     degrees_per_radian *
                         direction_difference_rad(c.mean_direction_rad.mean, c.resolved.mean_direction_rad),
                     direction_error_deg});
+  append_row(text, {"peak direction", direction_unit(style), direction_deg(c.asked.peak_direction_rad, style),
+                    direction_deg(c.resolved.peak_direction_rad, style),
+                    direction_deg(c.peak_direction_rad.mean, style),
+                    degrees_per_radian *
+                        direction_difference_rad(c.peak_direction_rad.mean, c.resolved.peak_direction_rad),
+                    degrees_per_radian * observed(c.peak_direction_rad)});
+  append_row(text, {"spread", "deg", c.asked.spread_rad * degrees_per_radian,
+                    c.resolved.spread_rad * degrees_per_radian, c.spread_rad.mean * degrees_per_radian,
+                    (c.spread_rad.mean - c.resolved.spread_rad) * degrees_per_radian,
+                    degrees_per_radian * observed(c.spread_rad)});
   append_row(text, {"mss", "", c.asked.mss, c.resolved.mss, c.mss.mean, c.mss.mean - c.resolved.mss,
                     observed(c.mss)});
   fmt::format_to(out, "\n  skewness {:.3f}, kurtosis {:.3f}, folded share {:.2e}, max ka {:.3f}\n\n",
@@ -93,13 +113,19 @@ std::string certificate_text(const scene::Certificate& c, const scene::Sea& sea,
   fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
   if (!sea.swells.empty()) {
     fmt::format_to(
-        out, "Swells in addition to the spectrum: {}, {:.4g} m^2; resolved and measured include them.\n\n",
+        out,
+        "Single swells in addition to the spectrum: {}, {:.4g} m^2; resolved and measured include them.\n\n",
         sea.swells.size(), c.swell_m0_m2);
   }
   fmt::format_to(
       out,
       "asked: the whole spectrum. resolved: the part of it that the grids can hold. measured: the surface,\n"
       "mean over the seeds. sigma: (measured - resolved) / standard error.\n"
+      "peak period: where the energy density E(f) is largest. Tp of E^4: integral of E^4 over that of f "
+      "E^4.\n"
+      "peak direction: of the waves at the peak period. spread: sqrt(2 (1 - r)), r the mean direction "
+      "vector's\n"
+      "length, a standard deviation.\n"
       "Waves are linear: before the horizontal displacement the elevation is Gaussian, with no skewness.\n"
       "The horizontal displacement alone sharpens crests.\n");
   return fmt::to_string(text);
@@ -111,10 +137,13 @@ nlohmann::json certificate_json(const scene::Certificate& c, const scene::Sea& s
   json["resolved"] = state_json(c.resolved, style);
   json["measured"] = measured_json(c, &scene::Measured::mean);
   json["measured"]["mean_direction_deg"] = direction_deg(c.mean_direction_rad.mean, style);
+  json["measured"]["peak_direction_deg"] = direction_deg(c.peak_direction_rad.mean, style);
   json["measured"]["max_ka"] = c.max_ka;
   json["spread"] = measured_json(c, &scene::Measured::spread);
   json["spread"]["mean_direction_deg"] = c.mean_direction_rad.spread * degrees_per_radian;
+  json["spread"]["peak_direction_deg"] = c.peak_direction_rad.spread * degrees_per_radian;
   json["standard_error"] = {{"hs_m", c.standard_error.hs_m},
+                            {"peak_period_s", c.standard_error.peak_period_s},
                             {"tm02_s", c.standard_error.tm02_s},
                             {"mean_direction_deg", c.standard_error.mean_direction_rad * degrees_per_radian}};
   json["seeds"] = c.seeds;

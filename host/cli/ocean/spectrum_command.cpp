@@ -53,13 +53,15 @@ std::string spectrum_text(const WaveSpectrum& record, const ocean::SeaState& sta
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}{}{}\n", record.station.empty() ? "" : record.station + "  ", record.time_utc,
                  record.depth_m ? fmt::format("  depth {:.4g} m", *record.depth_m) : "");
-  fmt::format_to(out, "Hs {:.3f} m  Tp {:.2f} s  Tm01 {:.2f} s  Tm02 {:.2f} s", state.hs_m, state.tp_s,
-                 state.tm01_s, state.tm02_s);
+  fmt::format_to(out, "Hs {:.3f} m  peak period {:.2f} s  Tz {:.2f} s  Tm01 {:.2f} s  Tp of E^4 {:.2f} s\n",
+                 state.hs_m, state.peak_period_s, state.tm02_s, state.tm01_s, state.tp_s);
   if (record.is_directional() && state.m0_m2 > 0.0) {
-    fmt::format_to(out, "  mean {:.1f} {}", direction_deg(state.mean_direction_rad, style),
-                   direction_unit(style));
+    fmt::format_to(out, "mean direction {:.1f}, peak direction {:.1f} {}; spread {:.1f} deg\n",
+                   direction_deg(state.mean_direction_rad, style),
+                   direction_deg(state.peak_direction_rad, style), direction_unit(style),
+                   state.spread_rad * degrees_per_radian);
   }
-  fmt::format_to(out, "\n\n{:>8}  {:>10}  {:>11}\n", "Hz", "m^2/Hz", direction_unit(style));
+  fmt::format_to(out, "\n{:>8}  {:>10}  {:>11}\n", "Hz", "m^2/Hz", direction_unit(style));
   const double largest = *std::max_element(record.energy.begin(), record.energy.end());
   for (std::size_t i = 0; i < record.frequencies_hz.size(); ++i) {
     const auto direction_rad = row_direction_rad(record, i);
@@ -126,11 +128,14 @@ nlohmann::json to_json(const Listed& listed, DirectionStyle style) {
   const auto& [index, record, state] = listed;
   nlohmann::json json = {{"record", index},           {"time_utc", record.time_utc},
                          {"station", record.station}, {"directional", record.is_directional()},
-                         {"hs_m", state.hs_m},        {"tp_s", state.tp_s},
-                         {"tm01_s", state.tm01_s},    {"tm02_s", state.tm02_s}};
-  json["mean_direction_deg"] = nullptr;
+                         {"hs_m", state.hs_m},        {"peak_period_s", state.peak_period_s},
+                         {"tp_s", state.tp_s},        {"tm01_s", state.tm01_s},
+                         {"tm02_s", state.tm02_s},    {"tz_s", state.tm02_s}};
+  for (const char* name : {"mean_direction_deg", "peak_direction_deg", "spread_deg"}) json[name] = nullptr;
   if (record.is_directional()) {
     json["mean_direction_deg"] = direction_deg(state.mean_direction_rad, style);
+    json["peak_direction_deg"] = direction_deg(state.peak_direction_rad, style);
+    json["spread_deg"] = state.spread_rad * degrees_per_radian;
   }
   json["depth_m"] = record.depth_m ? nlohmann::json(*record.depth_m) : nlohmann::json();
   return json;
@@ -141,14 +146,17 @@ void print_list(const std::string& file, const std::vector<Listed>& records, Dir
   fmt::print("{}: {} record{}, {} frequencies {:.4g} ... {:.4g} Hz{}\n", file, records.size(),
              records.size() == 1 ? "" : "s", first.frequencies_hz.size(), first.frequencies_hz.front(),
              first.frequencies_hz.back(), first.is_directional() ? ", directional" : ", without directions");
-  fmt::print("{:>6}  {:<20}  {:>7}  {:>6}  {:>6}  {:>15}\n", "record", "time", "Hs m", "Tp s", "Tm02 s",
-             direction_unit(style));
+  fmt::print("{:>6}  {:<20}  {:>7}  {:>6}  {:>6}  {:>15}  {:>6}\n", "record", "time", "Hs m", "peak s",
+             "Tz s", direction_unit(style), "spread");
   for (const auto& [index, record, state] : records) {
     const std::string direction = record.is_directional() && state.m0_m2 > 0.0
                                       ? fmt::format("{:.1f}", direction_deg(state.mean_direction_rad, style))
                                       : "-";
-    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}\n", index, record.time_utc, state.hs_m,
-               state.tp_s, state.tm02_s, direction);
+    const std::string spread = record.is_directional() && state.m0_m2 > 0.0
+                                   ? fmt::format("{:.1f}", state.spread_rad * degrees_per_radian)
+                                   : "-";
+    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}  {:>6}\n", index, record.time_utc,
+               state.hs_m, state.peak_period_s, state.tm02_s, direction, spread);
   }
 }
 
@@ -246,6 +254,10 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
+The peak period (JSON: peak_period_s) is where the energy density E(f) is largest. tp_s is the integral of
+E^4 over that of f E^4. Tz is Tm02 = sqrt(m0 / m2). The peak direction is the mean direction at the peak
+period. The spread is sqrt(2 (1 - r)), r the length of the mean direction vector: a standard deviation.
+
 Examples:
   offing ocean spectrum 41010.data_spec
   offing ocean spectrum 41010.data_spec --record 0 --plot sea.png)");

@@ -57,7 +57,11 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
+In JSON, peak_period_s is where the energy density E(f) is largest; tp_s is the integral of E^4 over that of
+f E^4; tz_s is Tm02; spread_deg is the standard deviation of directions.
+
 Examples:
+  offing ocean stats --hs-m 2.5 --tp-s 8 --swell hs_m=1,tp_s=14,direction_deg=60
   offing ocean stats --spectrum pm --wind-speed-mps 10 --seeds 20
   offing ocean stats --spectrum-file 41010.data_spec --record 0 --json)");
   command->callback([arguments, &options] { run(*arguments, options); });

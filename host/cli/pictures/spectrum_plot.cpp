@@ -80,7 +80,7 @@ void draw_heading(PlotCanvas& canvas, const WaveSpectrum& record, const ocean::S
   std::string title = record.station.empty() ? "Wave spectrum" : record.station;
   if (!record.time_utc.empty()) title += "   " + record.time_utc;
   canvas.text({left_px, 34}, title, title_px, Align::left);
-  std::string figures = fmt::format("Hs {:.2f} m   Tp {:.1f} s", state.hs_m, state.tp_s);
+  std::string figures = fmt::format("Hs {:.2f} m   Tp {:.1f} s", state.hs_m, state.peak_period_s);
   if (record.depth_m) figures += fmt::format("   depth {:.4g} m", *record.depth_m);
   canvas.text({left_px, 62}, figures, text_px + 2, Align::left, curve_colour);
 }

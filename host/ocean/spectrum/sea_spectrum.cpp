@@ -48,6 +48,7 @@ struct Moments {
   double m0 = 0.0, m1 = 0.0, m2 = 0.0;  // over frequency in Hz
   double energy4 = 0.0, frequency_energy4 = 0.0;
   double cosine = 0.0, sine = 0.0, slope = 0.0;
+  double peak_radps = 0.0, peak_energy = 0.0;  // the node where E is largest
 };
 
 SeaState state_of(const Moments& moments) {
@@ -61,6 +62,7 @@ SeaState state_of(const Moments& moments) {
   state.tm01_s = moments.m0 / moments.m1;
   state.tm02_s = std::sqrt(moments.m0 / moments.m2);
   state.mean_direction_rad = direction_of_moment(moments.cosine, moments.sine, moments.m0);
+  state.spread_rad = spread_of_moment(moments.cosine, moments.sine, moments.m0);
   state.mss = moments.slope;
   return state;
 }
@@ -74,6 +76,41 @@ double direction_of_moment(double cosine_m2, double sine_m2, double m0_m2) {
   const double direction_rad = std::atan2(sine_m2, cosine_m2);
   // Rounding around 0 must not come out as a full turn.
   return direction_rad < -1e-9 ? direction_rad + 2.0 * pi : std::max(direction_rad, 0.0);
+}
+
+double spread_of_moment(double cosine_m2, double sine_m2, double m0_m2) {
+  return std::sqrt(std::max(2.0 * (1.0 - std::hypot(cosine_m2, sine_m2) / m0_m2), 0.0));
+}
+
+double find_peak_radps(const SeaSpectrum& spectrum) {
+  constexpr int steps = 1000;
+  const double low = std::log(spectrum.omega_min_radps), high = std::log(spectrum.omega_max_radps);
+  std::vector<double> places;  // ln omega
+  for (int i = 0; i <= steps; ++i) places.push_back(std::lerp(low, high, static_cast<double>(i) / steps));
+  for (const double kink_radps : spectrum.kinks_radps) {
+    places.push_back(std::clamp(std::log(kink_radps), low, high));
+  }
+  std::sort(places.begin(), places.end());
+  std::size_t best = 0;
+  double best_energy = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double energy = spectrum.energy(std::exp(places[i]));
+    if (energy <= best_energy) continue;
+    best_energy = energy;
+    best = i;
+  }
+  double left = places[best == 0 ? 0 : best - 1], right = places[std::min(best + 1, places.size() - 1)];
+  const double golden = 1.0 / std::numbers::phi;
+  while (right - left > 1e-9) {
+    const double inner_left = right - golden * (right - left);
+    const double inner_right = left + golden * (right - left);
+    if (spectrum.energy(std::exp(inner_left)) > spectrum.energy(std::exp(inner_right))) {
+      right = inner_right;
+    } else {
+      left = inner_left;
+    }
+  }
+  return std::exp(0.5 * (left + right));
 }
 
 SeaState integrate_sea_state(const SeaSpectrum& spectrum, double k_min_radpm, double k_max_radpm) {
@@ -102,11 +139,16 @@ SeaState integrate_sea_state(const SeaSpectrum& spectrum, double k_min_radpm, do
         return;
       }
       const double frequency_hz = omega_radps / (2.0 * pi);
+      const double energy = spectrum.energy(omega_radps);
+      if (energy > moments.peak_energy) {
+        moments.peak_energy = energy;
+        moments.peak_radps = omega_radps;
+      }
       moments.m0 += variance_m2;
       moments.m1 += frequency_hz * variance_m2;
       moments.m2 += frequency_hz * frequency_hz * variance_m2;
       moments.slope += k_radpm * k_radpm * variance_m2;
-      const double weighted4 = variance_m2 * std::pow(spectrum.energy(omega_radps) / largest_energy, 3.0);
+      const double weighted4 = variance_m2 * std::pow(energy / largest_energy, 3.0);
       moments.energy4 += weighted4;
       moments.frequency_energy4 += frequency_hz * weighted4;
       const Direction mean = first_moment(spectrum.spreading_at(omega_radps), directions);
@@ -114,7 +156,15 @@ SeaState integrate_sea_state(const SeaSpectrum& spectrum, double k_min_radpm, do
       moments.sine += variance_m2 * mean.sine;
     });
   }
-  return state_of(moments);
+  SeaState state = state_of(moments);
+  if (moments.m0 <= 0.0) return state;
+  const double peak_k_radpm = dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const double peak_radps =
+      peak_k_radpm >= low && peak_k_radpm <= high ? spectrum.omega_peak_radps : moments.peak_radps;
+  const Direction at_peak = first_moment(spectrum.spreading_at(peak_radps), directions);
+  state.peak_period_s = 2.0 * pi / peak_radps;
+  state.peak_direction_rad = direction_of_moment(at_peak.cosine, at_peak.sine, 1.0);
+  return state;
 }
 
 }  // namespace offing::ocean

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/ocean/spectrum/density_peak.h"
 
 namespace offing::ocean {
 namespace {
@@ -85,48 +86,86 @@ Sums sum_waves(std::span<const ModeEnergies> cascades, const Dispersion& dispers
   return sums;
 }
 
-/// Edges of frequency bins from below the lowest wave to above the highest.
-std::vector<double> frequency_bins(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                                   const Sums& sums) {
-  double longest_m = 0.0;
-  for (const ModeEnergies& modes : cascades) {
-    longest_m = std::max(longest_m, modes.patch_length_m);
-  }
-  const double octave_share = std::exp2(1.0 / 16.0) - 1.0;
-  std::vector<double> edges_hz = {sums.lowest_hz * (1.0 - 1e-9)};
-  while (edges_hz.back() <= sums.highest_hz) {
-    const double k_radpm = dispersion.wavenumber_radpm(2.0 * pi * edges_hz.back());
-    const double lattice_hz = dispersion.group_speed_mps(k_radpm) / longest_m;
-    edges_hz.push_back(edges_hz.back() + std::max(octave_share * edges_hz.back(), lattice_hz));
-  }
-  return edges_hz;
-}
-
 struct Bin {
   double energy_m2 = 0.0;
-  double frequency_sum = 0.0;  // of energy times frequency
+  double frequency_sum = 0.0;       // of energy times frequency
+  double cosine = 0.0, sine = 0.0;  // of energy times direction
+  double squares = 0.0;             // of energy
 };
 
-double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                     std::span<const GerstnerWave> gerstner_waves, const Sums& sums) {
-  const std::vector<double> edges_hz = frequency_bins(cascades, dispersion, sums);
-  std::vector<Bin> bins(edges_hz.size() - 1);
-  for_each_wave(cascades, dispersion, gerstner_waves, [&](const Wave& wave) {
+/// Bins of frequency from below the lowest wave to above the highest: as wide as this share of their
+/// frequency, or as one step of the longest patch's wavenumbers where that is wider.
+struct FrequencyBins {
+  std::vector<double> edges_hz;
+  std::vector<Bin> bins;
+
+  FrequencyBins(double share, std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                const Sums& sums) {
+    double longest_m = 0.0;
+    for (const ModeEnergies& modes : cascades) {
+      longest_m = std::max(longest_m, modes.patch_length_m);
+    }
+    edges_hz = {sums.lowest_hz * (1.0 - 1e-9)};
+    while (edges_hz.back() <= sums.highest_hz) {
+      const double k_radpm = dispersion.wavenumber_radpm(2.0 * pi * edges_hz.back());
+      const double lattice_hz = dispersion.group_speed_mps(k_radpm) / longest_m;
+      edges_hz.push_back(edges_hz.back() + std::max(share * edges_hz.back(), lattice_hz));
+    }
+    bins.resize(edges_hz.size() - 1);
+  }
+
+  void add(const Wave& wave) {
     const auto above = std::upper_bound(edges_hz.begin(), edges_hz.end(), wave.frequency_hz);
     Bin& bin = bins[above - edges_hz.begin() - 1];
     bin.energy_m2 += wave.energy_m2;
     bin.frequency_sum += wave.energy_m2 * wave.frequency_hz;
-  });
+    bin.cosine += wave.energy_m2 * wave.cosine;
+    bin.sine += wave.energy_m2 * wave.sine;
+    bin.squares += wave.energy_m2 * wave.energy_m2;
+  }
+
+  double width_hz(std::size_t i) const { return edges_hz[i + 1] - edges_hz[i]; }
+};
+
+/// Integral of E^4 over that of f E^4.
+double period_of_fourth_power_s(const FrequencyBins& density, double m0_m2) {
   double energy4 = 0.0, frequency_energy4 = 0.0;
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    if (bins[i].energy_m2 > 0.0) {
-      const double width_hz = edges_hz[i + 1] - edges_hz[i];
-      const double weight = std::pow(bins[i].energy_m2 / (sums.m0 * width_hz), 4.0) * width_hz;
+  for (std::size_t i = 0; i < density.bins.size(); ++i) {
+    const Bin& bin = density.bins[i];
+    if (bin.energy_m2 > 0.0) {
+      const double weight =
+          std::pow(bin.energy_m2 / (m0_m2 * density.width_hz(i)), 4.0) * density.width_hz(i);
       energy4 += weight;
-      frequency_energy4 += weight * bins[i].frequency_sum / bins[i].energy_m2;
+      frequency_energy4 += weight * bin.frequency_sum / bin.energy_m2;
     }
   }
   return energy4 / frequency_energy4;
+}
+
+constexpr double fine_share = 0.01;
+
+DensityPeak peak_of(const FrequencyBins& density) {
+  std::vector<FrequencyBin> bins;
+  for (std::size_t i = 0; i < density.bins.size(); ++i) {
+    const Bin& bin = density.bins[i];
+    bins.push_back({density.edges_hz[i], density.edges_hz[i + 1], bin.energy_m2,
+                    bin.squares > 0.0 ? bin.energy_m2 * bin.energy_m2 / bin.squares : 0.0});
+  }
+  return peak_of(bins);
+}
+
+/// Peak period, and direction of the waves within 5 % of its frequency.
+void find_peak(const FrequencyBins& density, SeaState& state) {
+  const double peak_hz = peak_of(density).frequency_hz;
+  state.peak_period_s = 1.0 / peak_hz;
+  Bin near;
+  for (std::size_t i = 0; i < density.bins.size(); ++i) {
+    if (density.edges_hz[i + 1] < peak_hz / 1.05 || density.edges_hz[i] > peak_hz * 1.05) continue;
+    near.energy_m2 += density.bins[i].energy_m2;
+    near.cosine += density.bins[i].cosine;
+    near.sine += density.bins[i].sine;
+  }
+  state.peak_direction_rad = direction_of_moment(near.cosine, near.sine, near.energy_m2);
 }
 
 }  // namespace
@@ -140,10 +179,19 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
   }
   state.m0_m2 = sums.m0;
   state.hs_m = 4.0 * std::sqrt(sums.m0);
-  state.tp_s = peak_period_s(cascades, dispersion, gerstner_waves, sums);
+  const double sixteenth_octave = std::exp2(1.0 / 16.0) - 1.0;
+  FrequencyBins coarse_bins(sixteenth_octave, cascades, dispersion, sums);
+  FrequencyBins fine_bins(fine_share, cascades, dispersion, sums);
+  for_each_wave(cascades, dispersion, gerstner_waves, [&](const Wave& wave) {
+    coarse_bins.add(wave);
+    fine_bins.add(wave);
+  });
+  state.tp_s = period_of_fourth_power_s(coarse_bins, sums.m0);
+  find_peak(fine_bins, state);
   state.tm01_s = sums.m0 / sums.m1;
   state.tm02_s = std::sqrt(sums.m0 / sums.m2);
   state.mean_direction_rad = direction_of_moment(sums.cosine, sums.sine, sums.m0);
+  state.spread_rad = spread_of_moment(sums.cosine, sums.sine, sums.m0);
   state.mss = sums.slope;
   return state;
 }
@@ -160,6 +208,7 @@ SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Di
   if (sums.m0 <= 0.0) {
     return error;
   }
+  FrequencyBins bins(fine_share, expected, dispersion, sums);
   const double resultant2 = sums.cosine * sums.cosine + sums.sine * sums.sine;
   double height = 0.0, period = 0.0, direction = 0.0;
   for_each_mode(expected, dispersion, [&](const Wave& wave) {
@@ -169,9 +218,12 @@ SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Di
     height += variance;
     period += variance * tilt * tilt;
     direction += variance * turn * turn;
+    bins.add(wave);
   });
   error.hs_m = 2.0 * std::sqrt(height / (sums.m0 * seeds));
   error.tm02_s = 0.5 * std::sqrt(sums.m0 / sums.m2) * std::sqrt(period / seeds);
+  const DensityPeak peak = peak_of(bins);
+  error.peak_period_s = peak.error / (peak.frequency_hz * std::sqrt(seeds));
   error.mean_direction_rad = resultant2 > 0.0 ? std::sqrt(direction / seeds) / resultant2 : pi;
   return error;
 }

@@ -23,13 +23,15 @@ struct ModeEnergies {
 /// One standard deviation of what sea_state_of() gives for a realised sea, averaged over seeds.
 struct SeaStateError {
   double hs_m = 0.0;
+  double peak_period_s = 0.0;
   double tm02_s = 0.0;
   double mean_direction_rad = 0.0;
 };
 
 /// The sea state of these waves, modes of cascades and Gerstner waves. Moments are sums over waves. tp_s
 /// needs a density: energies are gathered in bins of 1/16 octave of frequency, or of one step of the longest
-/// patch's wavenumbers where that is wider, since narrower ones would see the lattice instead of the sea.
+/// patch's wavenumbers where that is wider, since narrower ones would see the lattice instead of the sea. The
+/// peak period is that of peak_of() in bins of 1 %, the peak direction that of waves within 5 % of it.
 /// Throws Error(bad_input) when an array is not [size][size] or patch_length_m is not positive.
 SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
                       std::span<const GerstnerWave> gerstner_waves = {});
@@ -39,6 +41,7 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
 /// = V^2; for an estimator T(m) of sums m = sum of c e, Var T = sum of (dT/de)^2 V^2 / seeds:
 ///   Hs = 4 sqrt(m0)             dHs/de   = Hs / (2 m0)
 ///   Tm02 = sqrt(m0 / m2)        dTm02/de = Tm02 / 2 (1/m0 - f^2/m2)
+///   peak period                 as DensityPeak::error has it
 ///   theta = atan2(b, a)         dtheta/de = (a sin - b cos) / (a^2 + b^2), a, b = sums of e cos, e sin
 /// This holds for energies of travelling waves. The variance over a patch at one instant contains the product
 /// of the waves along +K and -K besides: it scatters as the sum of (V(K) + V(-K))^2 / 2, which is the same

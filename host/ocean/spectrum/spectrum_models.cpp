@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "host/ocean/ocean_limits.h"
+#include "host/ocean/spectrum/fetch_laws.h"
+#include "host/ocean/spectrum/quadrature.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/spectrum/spreading.h"
 
@@ -83,34 +85,155 @@ double kitaigorodskii_factor(const Dispersion& gravity_waves, double omega_radps
          gravity_waves.group_speed_mps(k_radpm);
 }
 
-void use_wind_sea(SeaSpectrum& spectrum, const WindSea& sea) {
-  spectrum.energy = sea;
-  spectrum.omega_min_radps = lowest_share_of_peak * sea.omega_peak_radps;
-  spectrum.omega_max_radps = highest_share_of_peak * sea.omega_peak_radps;
-  spectrum.kinks_radps = {sea.omega_peak_radps};
+/// What water of a depth leaves of a wind sea at each frequency (Bouws et al. 1985); all of it in deep water.
+class ShallowWater {
+ public:
+  ShallowWater() = default;
+  ShallowWater(const Dispersion& dispersion, DepthFactor model) : gravity_waves_(dispersion), model_(model) {
+    gravity_waves_.capillary_length_m = 0.0;
+  }
+
+  double operator()(double omega_radps) const {
+    if (is_deep()) return 1.0;
+    return model_ == DepthFactor::kitaigorodskii ? kitaigorodskii_factor(gravity_waves_, omega_radps)
+                                                 : thompson_vincent_factor(omega_radps * scale_s());
+  }
+
+  /// d ln factor / d ln omega.
+  double slope(double omega_radps) const {
+    constexpr double step = 1e-5;
+    return std::log((*this)(omega_radps * (1.0 + step)) / (*this)(omega_radps * (1.0 - step))) / (2.0 * step);
+  }
+
+  std::vector<double> kinks_radps() const {
+    if (is_deep() || model_ == DepthFactor::kitaigorodskii) return {};
+    return {1.0 / scale_s(), 2.0 / scale_s()};
+  }
+
+ private:
+  bool is_deep() const { return std::isinf(gravity_waves_.depth_m); }
+  double scale_s() const { return std::sqrt(gravity_waves_.depth_m / gravity_waves_.gravity_mps2); }
+
+  Dispersion gravity_waves_;
+  DepthFactor model_ = DepthFactor::thompson_vincent;
+};
+
+/// A wind sea in water of a depth.
+struct WindWaves {
+  WindSea sea;
+  ShallowWater water;
+
+  double operator()(double omega_radps) const {
+    return omega_radps > 0.0 ? sea(omega_radps) * water(omega_radps) : 0.0;
+  }
+  double omega_min_radps() const { return lowest_share_of_peak * sea.omega_peak_radps; }
+  double omega_max_radps() const { return highest_share_of_peak * sea.omega_peak_radps; }
+  std::vector<double> kinks_radps() const {
+    std::vector<double> kinks = water.kinks_radps();
+    kinks.push_back(sea.omega_peak_radps);
+    std::sort(kinks.begin(), kinks.end());
+    return kinks;
+  }
+};
+
+/// Integrals of E and omega^2 E over omega.
+struct WindWaveMoments {
+  double m0 = 0.0, m2 = 0.0;
+
+  explicit WindWaveMoments(const WindWaves& waves) {
+    constexpr int panel_count = 64;  // of 0.09 in ln omega: the narrowest peak is 0.07 wide
+    const double low = std::log(waves.omega_min_radps()), high = std::log(waves.omega_max_radps());
+    std::vector<double> edges;
+    for (int i = 0; i <= panel_count; ++i) edges.push_back(std::lerp(low, high, 1.0 * i / panel_count));
+    for (const double kink_radps : waves.kinks_radps()) {
+      if (std::log(kink_radps) > low && std::log(kink_radps) < high) edges.push_back(std::log(kink_radps));
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+      for_each_gauss_node(edges[i], edges[i + 1], [&](double log_omega, double weight) {
+        const double omega_radps = std::exp(log_omega);
+        const double variance_m2 = weight * omega_radps * waves(omega_radps);
+        m0 += variance_m2;
+        m2 += omega_radps * omega_radps * variance_m2;
+      });
+    }
+  }
+};
+
+/// omega_peak of JONSWAP's formula for a density that peaks at this frequency in this water, whose factor
+/// grows with frequency and moves the peak up. With r = omega / omega_peak, d ln E / d ln omega = 5 r^-4 - 5
+/// + slope of the factor - (r - 1) r ln gamma / width^2 exp(-(r - 1)^2 / 2 width^2) is 0 at the peak; at r =
+/// 1 it is the factor's slope, 0 to 2, and without the last term 0 at r = (5 / (5 - slope))^(1/4).
+double omega_peak_of_formula(double peak_radps, double gamma, const ShallowWater& water) {
+  constexpr double width = 0.09;  // above the peak
+  const double slope = std::max(water.slope(peak_radps), 0.0);
+  const auto rise = [&](double r) {
+    const double offset = (r - 1.0) / width;
+    return 5.0 * std::pow(r, -4.0) - 5.0 + slope -
+           offset / width * r * std::log(gamma) * std::exp(-0.5 * offset * offset);
+  };
+  double low = 1.0, high = std::pow(5.0 / (5.0 - slope), 0.25);
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    (rise(middle) > 0.0 ? low : high) = middle;
+  }
+  return peak_radps / low;
 }
 
-/// JONSWAP times a depth factor: Bouws et al. 1985.
-void use_tma(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
-  const WindSea sea = jonswap(parameters);
-  use_wind_sea(spectrum, sea);
-  if (std::isinf(spectrum.dispersion.depth_m)) {
-    return;
+/// Waves of this height whose density peaks at this period.
+WindWaves waves_of_height(double hs_m, double peak_period_s, double gamma, double gravity_mps2,
+                          const ShallowWater& water) {
+  WindWaves waves{{1.0, omega_peak_of_formula(2.0 * pi / peak_period_s, gamma, water), gamma, gravity_mps2},
+                  water};
+  waves.sea.alpha = hs_m * hs_m / 16.0 / WindWaveMoments(waves).m0;
+  return waves;
+}
+
+/// The peak period of waves whose sqrt(m0 / m2) is tz_s. Each turn corrects the period by the ratio that is
+/// left, which depends on it only through the depth.
+double peak_period_of_mean_period(double tz_s, double gamma, double gravity_mps2, const ShallowWater& water) {
+  double peak_period_s = 1.3 * tz_s;
+  constexpr int most_turns = 200;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const WindWaveMoments moments(waves_of_height(1.0, peak_period_s, gamma, gravity_mps2, water));
+    const double correction = tz_s / (2.0 * pi * std::sqrt(moments.m0 / moments.m2));
+    peak_period_s *= correction;
+    if (std::abs(correction - 1.0) < 1e-10) break;
   }
-  Dispersion gravity_waves = spectrum.dispersion;
-  gravity_waves.capillary_length_m = 0.0;
-  if (parameters.depth_factor == DepthFactor::kitaigorodskii) {
-    spectrum.energy = [=](double omega_radps) {
-      return omega_radps > 0.0 ? sea(omega_radps) * kitaigorodskii_factor(gravity_waves, omega_radps) : 0.0;
-    };
-    return;
+  return peak_period_s;
+}
+
+struct AskedWaves {
+  WindWaves waves;
+  double wind_at_10m_mps = 0.0;
+};
+
+/// The wind waves that height and period, or wind and fetch, ask for.
+AskedWaves wind_waves(const SpectrumParameters& parameters) {
+  const bool is_pierson_moskowitz = parameters.model == SpectrumModel::pierson_moskowitz;
+  const double gravity_mps2 = parameters.dispersion.gravity_mps2;
+  const ShallowWater water = parameters.model == SpectrumModel::tma
+                                 ? ShallowWater(parameters.dispersion, parameters.depth_factor)
+                                 : ShallowWater();
+  if (!parameters.hs_m) {
+    const double wind_mps = parameters.wind_speed_mps;
+    return is_pierson_moskowitz
+               ? AskedWaves{{pierson_moskowitz(parameters), water}, wind_mps / profile_195_over_10}
+               : AskedWaves{{jonswap(parameters), water}, wind_mps};
   }
-  const double scale_s = std::sqrt(gravity_waves.depth_m / gravity_waves.gravity_mps2);
-  spectrum.energy = [=](double omega_radps) {
-    return sea(omega_radps) * thompson_vincent_factor(omega_radps * scale_s);
-  };
-  spectrum.kinks_radps.insert(spectrum.kinks_radps.end(), {1.0 / scale_s, 2.0 / scale_s});
-  std::sort(spectrum.kinks_radps.begin(), spectrum.kinks_radps.end());
+  const double gamma = is_pierson_moskowitz ? 1.0 : parameters.gamma;
+  const double peak_period_s =
+      parameters.tz_s ? peak_period_of_mean_period(*parameters.tz_s, gamma, gravity_mps2, water)
+                      : parameters.tp_s.value_or(developed_peak_period_s(*parameters.hs_m, gravity_mps2));
+  return {waves_of_height(*parameters.hs_m, peak_period_s, gamma, gravity_mps2, water),
+          wind_of_height_and_period_mps(*parameters.hs_m, peak_period_s, gravity_mps2)};
+}
+
+void use_wind_waves(SeaSpectrum& spectrum, const WindWaves& waves) {
+  spectrum.energy = waves;
+  spectrum.omega_min_radps = waves.omega_min_radps();
+  spectrum.omega_max_radps = waves.omega_max_radps();
+  spectrum.kinks_radps = waves.kinks_radps();
 }
 
 /// Lee & Lee 2007, eq. 5 (O5): P(K) = A exp(-1 / (kL)^2) / k^4 |cos|^2, times exp(-k^2 l^2) and the factor
@@ -155,7 +278,8 @@ void use_phillips(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
 void use_swell(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
   require_within("swell_hs_m", parameters.swell_hs_m, 1e-3, 40.0);
   require_within("swell_period_s", parameters.swell_period_s, 1.0, 60.0);
-  const double centre_hz = 1.0 / parameters.swell_period_s;
+  const double hs_m = parameters.hs_m.value_or(parameters.swell_hs_m);
+  const double centre_hz = 1.0 / parameters.tp_s.value_or(parameters.swell_period_s);
   const double width_hz = parameters.swell_bandwidth_hz;
   require_within("swell_bandwidth_hz", width_hz, 1e-3 * centre_hz, 0.5 * centre_hz);
 
@@ -164,7 +288,7 @@ void use_swell(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
   const auto cumulative = [=](double frequency_hz) {
     return 0.5 * std::erfc((centre_hz - frequency_hz) / (std::numbers::sqrt2 * width_hz));
   };
-  const double m0_m2 = parameters.swell_hs_m * parameters.swell_hs_m / 16.0;
+  const double m0_m2 = hs_m * hs_m / 16.0;
   const double peak_m2_per_hz =
       m0_m2 / ((cumulative(high_hz) - cumulative(low_hz)) * width_hz * std::sqrt(2.0 * pi));
   spectrum.energy = [=](double omega_radps) {
@@ -177,6 +301,11 @@ void use_swell(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
   };
   spectrum.omega_min_radps = 2.0 * pi * low_hz;
   spectrum.omega_max_radps = 2.0 * pi * high_hz;
+  // For whoever integrates it among other waves: pieces of at most 2.5 standard deviations.
+  for (const double deviations : {-6.2, -4.0, -2.0, 0.0, 2.0, 4.0, 6.2}) {
+    const double kink_hz = centre_hz + deviations * width_hz;
+    if (kink_hz >= low_hz) spectrum.kinks_radps.push_back(2.0 * pi * kink_hz);
+  }
 
   SpreadingParameters narrow;
   narrow.model = SpreadingModel::cosine_2s;
@@ -187,40 +316,22 @@ void use_swell(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
                                          spectrum.dispersion.gravity_mps2);
 }
 
-/// Where E is largest: a scan in ln omega, refined by golden section around the best sample.
-double find_peak_radps(const SeaSpectrum& spectrum) {
-  const double low = std::log(spectrum.omega_min_radps);
-  const double step = (std::log(spectrum.omega_max_radps) - low) / 1000.0;
-  double best_energy = 0.0;
-  double best = low;
-  for (int i = 0; i <= 1000; ++i) {
-    const double energy = spectrum.energy(std::exp(low + step * i));
-    if (energy > best_energy) {
-      best_energy = energy;
-      best = low + step * i;
-    }
-  }
-  double left = best - step;
-  double right = best + step;
-  const double golden = 1.0 / std::numbers::phi;
-  while (right - left > 1e-9) {
-    const double inner_left = right - golden * (right - left);
-    const double inner_right = left + golden * (right - left);
-    if (spectrum.energy(std::exp(inner_left)) > spectrum.energy(std::exp(inner_right))) {
-      right = inner_right;
-    } else {
-      left = inner_left;
-    }
-  }
-  return std::exp(0.5 * (left + right));
-}
-
 }  // namespace
+
+bool is_by_height(const SpectrumParameters& parameters) {
+  const bool is_wind_sea = parameters.model == SpectrumModel::pierson_moskowitz ||
+                           parameters.model == SpectrumModel::jonswap ||
+                           parameters.model == SpectrumModel::tma;
+  return parameters.hs_m && is_wind_sea;
+}
 
 SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters) {
   require_within("wind_speed_mps", parameters.wind_speed_mps, 0.1, 100.0);
   require_within("fetch_m", parameters.fetch_m, 100.0, 1e8);
   require_within("gamma", parameters.gamma, 1.0, 20.0);
+  if (parameters.hs_m) require_within("hs_m", *parameters.hs_m, 1e-3, 40.0);
+  if (parameters.tp_s) require_within("tp_s", *parameters.tp_s, 0.1, 60.0);
+  if (parameters.tz_s) require_within("tz_s", *parameters.tz_s, 0.1, 60.0);
   require_within("spreading.direction_rad", parameters.spreading.direction_rad, -1e6, 1e6);
   require_valid_dispersion(parameters.dispersion);
 
@@ -232,15 +343,13 @@ SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters) {
       use_phillips(spectrum, parameters);
       break;
     case SpectrumModel::pierson_moskowitz:
-      use_wind_sea(spectrum, pierson_moskowitz(parameters));
-      wind_at_10m_mps /= profile_195_over_10;
-      break;
     case SpectrumModel::jonswap:
-      use_wind_sea(spectrum, jonswap(parameters));
+    case SpectrumModel::tma: {
+      const AskedWaves asked = wind_waves(parameters);
+      use_wind_waves(spectrum, asked.waves);
+      wind_at_10m_mps = asked.wind_at_10m_mps;
       break;
-    case SpectrumModel::tma:
-      use_tma(spectrum, parameters);
-      break;
+    }
     case SpectrumModel::swell:
       use_swell(spectrum, parameters);
       break;

@@ -28,10 +28,19 @@ struct SpreadingParameters {
 
 /// A modelled sea. The wind speed is at 19.5 m for pierson_moskowitz and at 10 m for all others.
 /// phillips and swell bring a spreading of their own and take only the direction from `spreading`.
+///
+/// With hs_m, a wind sea (pierson_moskowitz, jonswap, tma) has that height and the period of tz_s, else of
+/// tp_s, in water of its depth, in place of wind and fetch; the wind of its wave age then follows from both
+/// (fetch_laws.h). pierson_moskowitz then is the shape of gamma = 1. swell takes hs_m and tp_s in place of
+/// its own height and period.
 struct SpectrumParameters {
   SpectrumModel model = SpectrumModel::jonswap;
   double wind_speed_mps = 10.0;
   double fetch_m = 100e3;
+  std::optional<double> hs_m;  ///< 4 sqrt(m0)
+  std::optional<double>
+      tp_s;  ///< period of the density's peak; absent: a fully developed sea's of this height
+  std::optional<double> tz_s;               ///< sqrt(m0 / m2), in place of tp_s
   double gamma = 3.3;                       ///< peak enhancement of jonswap and tma
   std::optional<double> phillips_constant;  ///< A of the paper; default alpha / 2 pi with alpha = 0.0081
   double phillips_cutoff_m = 0.0;           ///< l: damps waves shorter than this
@@ -46,6 +55,9 @@ struct SpectrumParameters {
   SpreadingParameters spreading;
   Dispersion dispersion;  ///< tma takes its depth from here
 };
+
+/// Whether height and period make the wind waves, in place of wind and fetch.
+bool is_by_height(const SpectrumParameters& parameters);
 
 /// Throws Error(bad_input) that names the parameter and its range when one is out of range or not finite.
 SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters);

@@ -132,6 +132,10 @@ double cosine_2s_normaliser(double exponent_s) {
          (2.0 * std::sqrt(pi));
 }
 
+double exponent_of_spread(double spread_rad) {
+  return std::max(2.0 / (spread_rad * spread_rad) - 1.0, 0.0);
+}
+
 std::function<DirectionalDensity(double)> make_spreading(const SpreadingParameters& parameters,
                                                          double omega_peak_radps, double wind_speed_mps,
                                                          double gravity_mps2) {

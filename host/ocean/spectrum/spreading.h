@@ -9,6 +9,10 @@ namespace offing::ocean {
 /// integrates to 1 over a turn. s >= 0.
 double cosine_2s_normaliser(double exponent_s);
 
+/// s of cos^2s with this spread (SeaState): its first circular moment is s / (s + 1), so that the spread is
+/// sqrt(2 / (s + 1)).
+double exponent_of_spread(double spread_rad);
+
 /// D(omega, .) of a spreading model around its mean direction. `omega_peak_radps` and `wind_speed_mps` (U10)
 /// give the wave age where the model asks for it; parameters.wind_speed_mps, if set, takes precedence.
 ///

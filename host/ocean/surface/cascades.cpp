@@ -230,6 +230,15 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
   return cascades;
 }
 
+double share_in_cascades(const SeaSpectrum& spectrum, std::span<const Cascade> cascades) {
+  const EnergyDistribution distribution(spectrum, 0.0);
+  const double split_radpm = cascades.front().k_min_radpm;
+  const double longest_radpm = std::max(split_radpm, 2.0 * pi / cascades.front().patch_length_m);
+  const double in_gerstner_waves = split_radpm > 0.0 ? distribution.share_below(split_radpm) : 0.0;
+  return in_gerstner_waves + distribution.share_below(cascades.back().k_max_radpm) -
+         distribution.share_below(longest_radpm);
+}
+
 std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int max_count,
                                      double split_radpm) {
   require_valid_size(size);

@@ -31,6 +31,10 @@ double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m
 std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size,
                                            double split_radpm = 0.0);
 
+/// Share of m0 that these cascades hold of a spectrum, with the Gerstner waves below the first. Waves longer
+/// than the first patch count as lost.
+double share_in_cascades(const SeaSpectrum& spectrum, std::span<const Cascade> cascades);
+
 /// Patch lengths that suit the spectrum. The longest holds about 20 wavelengths of the peak, 8 of the long
 /// waves (1 % of m0 is longer) and 2 of the longest (0.1 %), and enough independent waves that Hs of one
 /// realisation scatters by about 2 % (up to 64 wavelengths of the peak). Shorter ones follow, by equal

@@ -121,8 +121,10 @@ class SceneChecker {
     }
     const Sea sea = prepare_sea(scene, Warnings::left_out);
     warn(unused_parameters(scene, sea));
-    const std::string steepness = steepness_warning(scene, sea.parameters.gerstner_waves);
-    if (!steepness.empty()) warn({name_ + ": " + steepness});
+    for (const std::string& line :
+         {steepness_warning(scene, sea.parameters.gerstner_waves), height_warning(scene, sea)}) {
+      if (!line.empty()) warn({name_ + ": " + line});
+    }
     prepare_wakes(scene, sea.spectrum.dispersion);
   }
 

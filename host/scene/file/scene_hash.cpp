@@ -34,8 +34,10 @@ std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view outp
                                                                 : value_text(scene, row, Digits::exact);
     fmt::format_to(out, "{} = {}\n", row.key, value);
   }
-  // A wind that was asked for sets the wave age of a record's spreading; the default one does not.
-  if (sea.measured) fmt::format_to(out, "own wind {}\n", scene.ocean.wind_speed_mps.has_value());
+  // A wind that was asked for sets the wave age of spreading where none makes the waves; the default one does
+  // not.
+  if (sea.measured || ocean::is_by_height(scene.ocean.spectrum))
+    fmt::format_to(out, "own wind {}\n", scene.ocean.wind_speed_mps.has_value());
   fmt::format_to(out, "depth {:.17g}\n", sea.spectrum.dispersion.depth_m);
   fmt::format_to(out, "spectrum {}\n", spectrum_name(scene, sea));
   for (const ocean::Cascade& cascade : sea.parameters.cascades) {

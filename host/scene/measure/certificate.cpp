@@ -223,12 +223,16 @@ std::vector<double> each(const std::vector<SurfaceMeasurement>& measurements, Qu
 void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certificate) {
   using M = SurfaceMeasurement;
   certificate.hs_m = mean_and_spread(each(all, [](const M& m) { return m.state.hs_m; }));
+  certificate.peak_period_s = mean_and_spread(each(all, [](const M& m) { return m.state.peak_period_s; }));
   certificate.tp_s = mean_and_spread(each(all, [](const M& m) { return m.state.tp_s; }));
   certificate.tm01_s = mean_and_spread(each(all, [](const M& m) { return m.state.tm01_s; }));
   certificate.tm02_s = mean_and_spread(each(all, [](const M& m) { return m.state.tm02_s; }));
   certificate.mss = mean_and_spread(each(all, [](const M& m) { return m.state.mss; }));
   certificate.mean_direction_rad =
       mean_direction(each(all, [](const M& m) { return m.state.mean_direction_rad; }));
+  certificate.peak_direction_rad =
+      mean_direction(each(all, [](const M& m) { return m.state.peak_direction_rad; }));
+  certificate.spread_rad = mean_and_spread(each(all, [](const M& m) { return m.state.spread_rad; }));
   certificate.skewness = mean_and_spread(each(all, [](const M& m) { return m.skewness; }));
   certificate.kurtosis = mean_and_spread(each(all, [](const M& m) { return m.kurtosis; }));
   certificate.folded_share = mean_and_spread(each(all, [](const M& m) { return m.folded_share; }));
@@ -316,6 +320,7 @@ Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const 
   certificate.max_ka = steepness / seeds + 3.0 * std::sqrt(cascade_mss);
   if (sea.gerstner_choice && seeds > 1) {
     // Gerstner waves' frequencies and directions scatter besides, which theory leaves out.
+    certificate.standard_error.peak_period_s = certificate.peak_period_s.spread / std::sqrt(seeds);
     certificate.standard_error.tm02_s = certificate.tm02_s.spread / std::sqrt(seeds);
     certificate.standard_error.mean_direction_rad = certificate.mean_direction_rad.spread / std::sqrt(seeds);
   }

@@ -26,7 +26,7 @@ struct Certificate {
   double swell_m0_m2 = 0.0;                    ///< beside the spectrum
   std::vector<double> expected_cascade_m0_m2;  ///< sums of mode energies
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
-  Measured hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
+  Measured hs_m, peak_period_s, tp_s, tm01_s, tm02_s, mean_direction_rad, peak_direction_rad, spread_rad, mss;
   Measured skewness, kurtosis, folded_share;
   /// Sum of k A of the Gerstner waves, and of the cascades 3 sqrt(mss), the steepness that one wave in 90
   /// exceeds: (ka)^2 is 2 mss on average, so that of Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,8 +38,12 @@ struct TimeSection {
 /// Whether waves feel the ground of a scene below them.
 enum class Shoaling { off, on };
 
-/// [[ocean.swell]]: a parallel swell beside the sea of the spectrum.
+/// [[ocean.swell]]: a swell beside the sea. With hs_m it is irregular, a part of the spectrum; else one wave
+/// with parallel crests.
 struct SwellScene {
+  std::optional<double> hs_m = {};
+  std::optional<double> tp_s = {};                        ///< of the density's peak; absent: 12
+  double spread_rad = 10.0 * (std::numbers::pi / 180.0);  ///< standard deviation of its directions
   double amplitude_m = 0.5;
   std::optional<double> wavelength_m = {};  ///< where both are given, this counts; with neither, 100
   std::optional<double> period_s = {};

@@ -14,7 +14,10 @@ constexpr double turn = 2.0 * std::numbers::pi;
 /// E(f) at as many frequencies as other readers take.
 WaveSpectrum sampled_energy(const ocean::SeaSpectrum& spectrum) {
   constexpr int frequency_count = 99;
-  const double highest_radps = std::min(spectrum.omega_max_radps, 10.0 * spectrum.omega_peak_radps);
+  // A swell's peak may be the highest: ten times the mean zero-crossing frequency reaches as far.
+  const double highest_radps =
+      std::min(spectrum.omega_max_radps,
+               std::max(10.0 * spectrum.omega_peak_radps, 7.0 * turn / integrate_sea_state(spectrum).tm02_s));
   const double step = std::log(highest_radps / spectrum.omega_min_radps) / (frequency_count - 1);
   WaveSpectrum sampled;
   if (std::isfinite(spectrum.dispersion.depth_m)) {
@@ -50,7 +53,8 @@ void add_directions(const ocean::SeaSpectrum& spectrum, WaveSpectrum& sampled) {
 }  // namespace
 
 WaveSpectrum sampled_spectrum(const Sea& sea) {
-  WaveSpectrum sampled = sea.measured ? *sea.measured : sampled_energy(sea.spectrum);
+  const bool is_record = sea.measured && sea.irregular_swells == 0;
+  WaveSpectrum sampled = is_record ? *sea.measured : sampled_energy(sea.spectrum);
   if (!sampled.is_directional()) {
     add_directions(sea.spectrum, sampled);
   }

@@ -10,6 +10,9 @@
 #include "host/base/log.h"
 #include "host/io/file_presence.h"
 #include "host/io/spectra/read_spectra.h"
+#include "host/ocean/spectrum/fetch_laws.h"
+#include "host/ocean/spectrum/mixed_sea.h"
+#include "host/ocean/spectrum/spreading.h"
 #include "host/scene/prepare/spectrum_tail.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/unused_parameters.h"
@@ -94,14 +97,55 @@ std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
 }
 
 void log_warnings(const Scene& scene, const Sea& sea) {
-  const std::string too_steep = steepness_warning(scene, sea.parameters.gerstner_waves);
-  if (!too_steep.empty()) spdlog::warn("{}", too_steep);
+  for (const std::string& line :
+       {steepness_warning(scene, sea.parameters.gerstner_waves), height_warning(scene, sea)}) {
+    if (!line.empty()) spdlog::warn("{}", line);
+  }
   for (const std::string& line : unused_parameters(scene, sea)) {
     spdlog::warn("{}", line);
   }
 }
 
+/// An irregular swell: as narrow in frequency as swells from far are, a Gaussian 6 % of its peak wide.
+ocean::SeaSpectrum spectrum_of(const SwellScene& swell, const ocean::Dispersion& dispersion) {
+  constexpr double usual_period_s = 12.0, relative_width = 0.06;
+  ocean::SpectrumParameters parameters;
+  parameters.model = ocean::SpectrumModel::swell;
+  parameters.dispersion = dispersion;
+  parameters.swell_hs_m = *swell.hs_m;
+  parameters.swell_period_s = swell.tp_s.value_or(usual_period_s);
+  parameters.swell_bandwidth_hz = relative_width / parameters.swell_period_s;
+  parameters.swell_exponent_s = ocean::exponent_of_spread(swell.spread_rad);
+  parameters.spreading.direction_rad = swell.direction_rad;
+  return ocean::make_sea_spectrum(parameters);
+}
+
+/// Adds the irregular swells of a scene.
+void add_swells(const Scene& scene, Sea& sea) {
+  std::vector<ocean::SeaSpectrum> seas{std::move(sea.spectrum)};
+  for (const SwellScene& swell : scene.ocean.swells) {
+    if (swell.hs_m) seas.push_back(spectrum_of(swell, seas.front().dispersion));
+  }
+  sea.irregular_swells = seas.size() - 1;
+  sea.spectrum = ocean::sum_of(std::move(seas));
+}
+
 }  // namespace
+
+std::string height_warning(const Scene& scene, const Sea& sea) {
+  const bool is_asked =
+      sea.irregular_swells > 0 || (!sea.measured && scene.ocean.spectrum.hs_m &&
+                                   scene.ocean.spectrum.model != ocean::SpectrumModel::phillips);
+  if (!is_asked) return {};
+  const double share = ocean::share_in_cascades(sea.spectrum, sea.parameters.cascades);
+  constexpr double least = 0.98;  // of the energy: 1 % of the height
+  if (share >= least) return {};
+  return fmt::format(
+      "the maps hold {:.1f} % of the waves' energy, {:.1f} % of their height; a larger --size or more "
+      "cascades "
+      "hold more",
+      100.0 * share, 100.0 * std::sqrt(share));
+}
 
 std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
   const std::string waves = choppiness_warning(scene, gerstner_waves);
@@ -112,6 +156,7 @@ std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gers
 std::vector<ocean::GerstnerWave> swells_of(const Scene& scene, const ocean::Dispersion& dispersion) {
   std::vector<ocean::GerstnerWave> waves;
   for (const SwellScene& asked : scene.ocean.swells) {
+    if (asked.hs_m) continue;
     ocean::Swell swell{
         .amplitude_m = asked.amplitude_m, .direction_rad = asked.direction_rad, .phase_rad = asked.phase_rad};
     if (asked.wavelength_m) {
@@ -157,8 +202,16 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   if (scene.ocean.depth_m) {
     spectrum.dispersion.depth_m = *scene.ocean.depth_m;
   }
+  sea.wind = wind;
   if (scene.ocean.spectrum_file.empty()) {
+    const bool is_by_height = ocean::is_by_height(spectrum);
+    if (is_by_height) spectrum.spreading.wind_speed_mps = scene.ocean.wind_speed_mps;
     sea.spectrum = ocean::make_sea_spectrum(spectrum);
+    if (is_by_height && !scene.ocean.wind_speed_mps) {
+      sea.wind.wind_speed_mps = ocean::wind_of_height_and_period_mps(
+          *spectrum.hs_m, 2.0 * std::numbers::pi / sea.spectrum.omega_peak_radps,
+          spectrum.dispersion.gravity_mps2);
+    }
   } else {
     sea.measured = read_record(scene);
     if (!scene.ocean.depth_m && sea.measured->depth_m) {
@@ -172,6 +225,8 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
     spectrum.spreading.wind_speed_mps = scene.ocean.wind_speed_mps;
     sea.spectrum = ocean::from_measured(*sea.measured, spectrum.spreading, spectrum.dispersion);
   }
+
+  add_swells(scene, sea);
 
   sea.parameters = scene.ocean.parameters;
   sea.parameters.seed = scene.world.seed;
@@ -190,16 +245,33 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   return sea;
 }
 
-std::string spectrum_name(const Scene& scene, const Sea& sea) {
+namespace {
+
+std::string name_without_swells(const Scene& scene, const Sea& sea) {
   if (!sea.measured) {
-    return fmt::format("{}, wind {:g} m/s", value_text(scene, *find_parameter("ocean.spectrum")),
-                       wind_of_sea(scene).wind_speed_mps);
+    const std::string model = value_text(scene, *find_parameter("ocean.spectrum"));
+    if (!ocean::is_by_height(scene.ocean.spectrum)) {
+      return fmt::format("{}, wind {:g} m/s", model, wind_of_sea(scene).wind_speed_mps);
+    }
+    const ocean::SpectrumParameters& asked = scene.ocean.spectrum;
+    const std::string period = asked.tz_s   ? fmt::format(", Tz {:g} s", *asked.tz_s)
+                               : asked.tp_s ? fmt::format(", Tp {:g} s", *asked.tp_s)
+                                            : "";
+    return fmt::format("{}, Hs {:g} m{}", model, *asked.hs_m, period);
   }
   std::string name = "measured";
   for (const std::string* part : {&sea.measured->station, &sea.measured->time_utc}) {
     name += part->empty() ? "" : ", " + *part;
   }
   return name;
+}
+
+}  // namespace
+
+std::string spectrum_name(const Scene& scene, const Sea& sea) {
+  const std::string name = name_without_swells(scene, sea);
+  if (sea.irregular_swells == 0) return name;
+  return fmt::format("{}, {} swell{}", name, sea.irregular_swells, sea.irregular_swells == 1 ? "" : "s");
 }
 
 }  // namespace offing::scene

@@ -16,9 +16,13 @@ namespace offing::scene {
 struct Sea {
   std::optional<WaveSpectrum> measured;  ///< the record that `spectrum` was made from, if it was measured
   ocean::SeaSpectrum spectrum;
+  /// wind_of_sea(), or of wind waves by height and period without a wind of their own the wind that makes
+  /// such waves (fetch_laws.h).
+  ocean::Wind wind;
   ocean::OceanParameters parameters;  ///< with its cascades and Gerstner waves
   /// Which waves are Gerstner waves, of the seed of `parameters`; absent where the cascades carry all.
   std::optional<ocean::GerstnerChoice> gerstner_choice;
+  std::size_t irregular_swells = 0;         ///< in the spectrum beside the wind's or measured waves
   std::vector<ocean::GerstnerWave> swells;  ///< beside the spectrum
   std::vector<ocean::Raindrop> raindrops;   ///< beside the spectrum
 
@@ -32,9 +36,9 @@ ocean::Wind wind_of_sea(const Scene& scene);
 enum class Warnings { logged, left_out };
 
 /// Reads the measured spectrum if there is one, makes the spectrum and chooses cascades and Gerstner waves;
-/// swells and raindrops come beside.
-/// Warnings are those of parameters that were set and do not matter (unused_parameters()), and
-/// steepness_warning().
+/// irregular swells join the spectrum, others and raindrops come beside.
+/// Warnings are those of parameters that were set and do not matter (unused_parameters()),
+/// steepness_warning() and height_warning().
 ///
 /// Throws Error(bad_input) for a scene of ground alone.
 ///
@@ -46,8 +50,11 @@ Sea prepare_sea(const Scene& scene, Warnings warnings = Warnings::logged);
 /// (horizontal_scale()), or a raindrop's ring is steeper than water stays whole; else empty.
 std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves);
 
-/// The swells of a scene in water of this dispersion. Throws Error(bad_input) for a period whose wave is
-/// longer or shorter than a swell can be.
+/// One line where the cascades lack more than 1 % of a height that was asked for; else empty.
+std::string height_warning(const Scene& scene, const Sea& sea);
+
+/// The swells of a scene that are one wave each, in water of this dispersion. Throws Error(bad_input) for a
+/// period whose wave is longer or shorter than a swell can be.
 std::vector<ocean::GerstnerWave> swells_of(const Scene& scene, const ocean::Dispersion& dispersion);
 
 /// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; its swells, which no

@@ -35,7 +35,9 @@ SeaChange sea_change(const Scene& before, const Scene& after) {
 /// The Gerstner waves of a world whose scene has other swells and raindrops now.
 ocean::GerstnerSea with_waves_beside(ocean::GerstnerSea gerstner_waves, const Scene& before,
                                      const Scene& after) {
-  gerstner_waves.waves.resize(gerstner_waves.waves.size() - before.ocean.swells.size());
+  const auto is_one_wave = [](const SwellScene& swell) { return !swell.hs_m; };
+  gerstner_waves.waves.resize(gerstner_waves.waves.size() -
+                              std::ranges::count_if(before.ocean.swells, is_one_wave));
   const std::vector<ocean::GerstnerWave> swells = swells_of(after, gerstner_waves.dispersion);
   gerstner_waves.waves.insert(gerstner_waves.waves.end(), swells.begin(), swells.end());
   gerstner_waves.raindrops = after.ocean.raindrops;
@@ -53,10 +55,10 @@ world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings
     return parameters;
   }
   Sea sea = prepare_sea(scene, warnings);
+  parameters.wind = sea.wind;
   parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
-  parameters.wind = wind_of_sea(scene);
   parameters.water = scene.ocean.water;
   parameters.has_shoals = scene.ocean.shoaling == Shoaling::on;
   return parameters;

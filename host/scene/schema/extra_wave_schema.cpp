@@ -2,17 +2,63 @@
 
 namespace offing::scene {
 
+namespace {
+
+/// What shapes the energy of the sea, and with it each baked frame.
+constexpr Affects spectrum = Affects::spectrum | Affects::baked;
+
+std::string needs_height(const UseContext&, const SwellScene& swell) {
+  return swell.hs_m ? "" : "the swell has no hs_m: it is one wave";
+}
+
+std::string needs_amplitude(const UseContext&, const SwellScene& swell) {
+  return swell.hs_m ? "the swell has hs_m: it is many waves" : "";
+}
+
+}  // namespace
+
 Schema<SwellScene> swell_schema() {
   Schema<SwellScene> schema("swell");
   return schema.rows(
       ParameterGroup::swell, Affects::extra_waves | Affects::baked,
       {
+          {&SwellScene::hs_m,
+           {.key = "hs_m",
+            .affects = spectrum,
+            .unit = "m",
+            .low = 0.001,
+            .high = 30.0,
+            .help = "significant height of an irregular swell, in addition to the other waves",
+            .example = "1.5",
+            .absent = "one wave with parallel crests, of amplitude_m"}},
+          {&SwellScene::tp_s,
+           {.key = "tp_s",
+            .affects = spectrum,
+            .unit = "s",
+            .low = 1.0,
+            .high = 40.0,
+            .help = "peak period of an irregular swell; the standard deviation of its frequencies is 6 %",
+            .example = "14",
+            .absent = "12",
+            .instead_of = "period_s"},
+           needs_height},
+          {&SwellScene::spread_rad,
+           {.key = "spread_deg",
+            .affects = spectrum,
+            .unit = "deg",
+            .low = 3.0,
+            .high = 75.0,
+            .help = "directional spread of an irregular swell: standard deviation of its directions",
+            .scale = radians_per_degree},
+           needs_height},
           {&SwellScene::amplitude_m,
            {.key = "amplitude_m",
             .unit = "m",
             .low = 0.0,
             .high = 100.0,
-            .help = "amplitude of a swell with parallel crests: half its height from trough to crest"}},
+            .help = "amplitude of a swell with parallel crests: half its height from trough to crest",
+            .instead_of = "hs_m"},
+           needs_amplitude},
           {&SwellScene::wavelength_m,
            {.key = "wavelength_m",
             .unit = "m",
@@ -20,7 +66,8 @@ Schema<SwellScene> swell_schema() {
             .high = 1e5,
             .help = "distance from crest to crest",
             .example = "100",
-            .absent = "from period_s; without it, 100"}},
+            .absent = "from period_s; without it, 100"},
+           needs_amplitude},
           {&SwellScene::period_s,
            {.key = "period_s",
             .unit = "s",
@@ -29,9 +76,11 @@ Schema<SwellScene> swell_schema() {
             .help = "time between crests at a fixed place, in water of the scene's depth",
             .example = "8",
             .absent = "from wavelength_m",
-            .instead_of = "wavelength_m"}},
+            .instead_of = "wavelength_m"},
+           needs_amplitude},
           {&SwellScene::direction_rad,
            {.key = "direction_deg",
+            .affects = spectrum | Affects::extra_waves,
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
@@ -43,7 +92,8 @@ Schema<SwellScene> swell_schema() {
             .low = -360.0,
             .high = 360.0,
             .help = "phase at the origin and time 0: 0 a crest, 180 a trough",
-            .scale = radians_per_degree}},
+            .scale = radians_per_degree},
+           needs_amplitude},
       });
 }
 

@@ -68,6 +68,32 @@ std::string needs_jonswap_or_tma(const UseContext& context, const OceanSection& 
   return needs_one_of({SpectrumModel::jonswap, SpectrumModel::tma}, context, ocean);
 }
 
+std::string needs_fetch(const UseContext& context, const OceanSection& ocean) {
+  const std::string reason = needs_jonswap_or_tma(context, ocean);
+  return reason.empty() && ocean.spectrum.hs_m ? "ocean.hs_m replaces wind and fetch" : reason;
+}
+
+std::string needs_model_with_height(const UseContext& context, const OceanSection& ocean) {
+  return needs_one_of(
+      {SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap, SpectrumModel::tma, SpectrumModel::swell},
+      context, ocean);
+}
+
+/// A wind sea by height and period.
+std::string needs_height(const UseContext& context, const OceanSection& ocean) {
+  const std::string reason = needs_one_of(
+      {SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap, SpectrumModel::tma}, context, ocean);
+  return reason.empty() && !ocean.spectrum.hs_m ? "there is no ocean.hs_m" : reason;
+}
+
+std::string needs_peak_period(const UseContext& context, const OceanSection& ocean) {
+  if (context.sea.is_measured || ocean.spectrum.model != SpectrumModel::swell) {
+    const std::string reason = needs_height(context, ocean);
+    return reason.empty() && ocean.spectrum.tz_s ? "ocean.tz_s sets the period" : reason;
+  }
+  return "";
+}
+
 std::string needs_shallow_tma(const UseContext& context, const OceanSection& ocean) {
   const bool is_deep_tma =
       !context.sea.is_measured && ocean.spectrum.model == SpectrumModel::tma && context.sea.is_deep;
@@ -80,6 +106,16 @@ std::string needs_phillips(const UseContext& context, const OceanSection& ocean)
 
 std::string needs_swell(const UseContext& context, const OceanSection& ocean) {
   return needs_one_of({SpectrumModel::swell}, context, ocean);
+}
+
+std::string needs_swell_height(const UseContext& context, const OceanSection& ocean) {
+  const std::string reason = needs_swell(context, ocean);
+  return reason.empty() && ocean.spectrum.hs_m ? "ocean.hs_m sets the height" : reason;
+}
+
+std::string needs_swell_period(const UseContext& context, const OceanSection& ocean) {
+  const std::string reason = needs_swell(context, ocean);
+  return reason.empty() && ocean.spectrum.tp_s ? "ocean.tp_s sets the period" : reason;
 }
 
 /// Waves that run as the wind does, whatever section says where.
@@ -113,8 +149,10 @@ std::string needs_own_wind(const UseContext& context, const OceanSection& ocean)
 }
 
 std::string needs_wind(const UseContext& context, const ocean::Wind&) {
-  return context.sea.is_measured ? "a measured sea uses only its own wind, ocean.wind_speed_mps"
-                                 : needs_own_wind(context, context.scene.ocean);
+  if (context.sea.is_measured) return "a measured sea uses only its own wind, ocean.wind_speed_mps";
+  return is_by_height(context.scene.ocean.spectrum)
+             ? "a sea by height and period uses only its own wind, ocean.wind_speed_mps"
+             : needs_own_wind(context, context.scene.ocean);
 }
 
 std::string needs_ground(const UseContext& context, const OceanSection&) {
@@ -148,9 +186,10 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m/s",
         .low = 0.1,
         .high = 60.0,
-        .help = "wind speed at 10 m above the sea (pm: at 19.5 m)",
+        .help = "wind speed at 10 m above the sea (pm: at 19.5 m). Beside hs_m it changes only spreading and "
+                "whitecaps",
         .example = "10",
-        .absent = "as in [wind]: 10"},
+        .absent = "as in [wind]: 10; with hs_m, the wind of such a sea"},
        needs_own_wind},
       {&OceanSection::wind_direction_rad,
        {.key = "wind_direction_deg",
@@ -170,8 +209,40 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m",
         .low = 100.0,
         .high = 1e7,
-        .help = "fetch: length of water that the wind has blown over (jonswap, tma)"},
-       needs_jonswap_or_tma},
+        .help = "fetch: length of water that the wind has blown over (jonswap, tma)",
+        .instead_of = "hs_m"},
+       needs_fetch},
+      {path(spectrum, &SpectrumParameters::hs_m),
+       {.key = "hs_m",
+        .flag = "--hs-m",
+        .unit = "m",
+        .low = 0.001,
+        .high = 30.0,
+        .help = "significant wave height, in place of wind and fetch (jonswap, tma, pm, swell)",
+        .example = "2.5",
+        .absent = "from wind and fetch"},
+       needs_model_with_height},
+      {path(spectrum, &SpectrumParameters::tp_s),
+       {.key = "tp_s",
+        .flag = "--tp-s",
+        .unit = "s",
+        .low = 0.5,
+        .high = 40.0,
+        .help = "peak period, at which the energy density E(f) is largest; with hs_m",
+        .example = "8",
+        .absent = "that of a fully developed sea: 5 sqrt(hs_m)",
+        .instead_of = "tz_s"},
+       needs_peak_period},
+      {path(spectrum, &SpectrumParameters::tz_s),
+       {.key = "tz_s",
+        .flag = "--tz-s",
+        .unit = "s",
+        .low = 0.4,
+        .high = 40.0,
+        .help = "mean zero-crossing period Tm02 = sqrt(m0 / m2), in place of tp_s (jonswap, tma, pm)",
+        .example = "6",
+        .absent = "from tp_s"},
+       needs_height},
       {&OceanSection::depth_m,
        {.key = "depth_m",
         .flag = "--depth-m",
@@ -235,16 +306,18 @@ std::vector<Row<OceanSection>> energy_rows() {
         .low = 0.001,
         .high = 30.0,
         .help = "significant wave height (swell)",
-        .example = "1"},
-       needs_swell},
+        .example = "1",
+        .instead_of = "hs_m"},
+       needs_swell_height},
       {path(spectrum, &SpectrumParameters::swell_period_s),
        {.key = "swell_period_s",
         .flag = "--swell-period-s",
         .unit = "s",
         .low = 1.0,
         .high = 40.0,
-        .help = "peak period (swell)"},
-       needs_swell},
+        .help = "peak period (swell)",
+        .instead_of = "tp_s"},
+       needs_swell_period},
       {path(spectrum, &SpectrumParameters::swell_bandwidth_hz),
        {.key = "swell_bandwidth_hz",
         .flag = "--swell-bandwidth-hz",
