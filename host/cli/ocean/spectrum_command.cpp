@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iterator>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -98,7 +99,15 @@ ocean::SeaState state_of(const WaveSpectrum& record) {
   if (record.depth_m) {
     dispersion.depth_m = *record.depth_m;
   }
-  return ocean::integrate_sea_state(ocean::from_measured(record, {}, dispersion));
+  if (record.is_directional()) {
+    return ocean::integrate_sea_state(ocean::from_measured(record, {}, dispersion));
+  }
+  // Heights and periods are the same whatever the directions. These are summed once a record, where a model's
+  // spreading would be evaluated thousands of times.
+  WaveSpectrum isotropic = record;
+  isotropic.directions_rad = {0.0, 2.0 * std::numbers::pi / 3.0, 4.0 * std::numbers::pi / 3.0};
+  isotropic.spreading.assign(3 * record.frequencies_hz.size(), 0.5 / std::numbers::pi);
+  return ocean::integrate_sea_state(ocean::from_measured(isotropic, {}, dispersion));
 }
 
 /// A record of the file with what it comes to.

@@ -212,8 +212,6 @@ std::string classic_header_fault(std::span<const std::byte> bytes) {
   return is_classic ? HeaderWalk(bytes).fault() : std::string();
 }
 
-constexpr const char* damaged_hint = "the file is damaged or cut short; fetch or write it again";
-
 // One block of values stays below this; a header that asks for more is damaged.
 constexpr std::size_t most_values = std::size_t{1} << 27;
 

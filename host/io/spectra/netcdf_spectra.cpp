@@ -31,6 +31,7 @@ class SpectraFile {
 
  private:
   NetcdfVariable need_density() const;
+  std::string unit_of(const NetcdfVariable& variable) const;
   std::vector<double> need_frequencies() const;
   std::optional<DirectionGrid> directions() const;
   double (*direction_convention(const NetcdfVariable& variable) const)(double);
@@ -84,7 +85,7 @@ SpectraFile::SpectraFile(std::span<const std::byte> bytes, std::string_view file
       times_(times()),
       start_(density_.lengths.size(), 0),
       count_(density_.lengths.size(), 1) {
-  const std::string unit_text = file_.text_attribute(density_, "units");
+  const std::string unit_text = unit_of(density_);
   const std::optional<DensityUnit> unit = parse_density_unit(unit_text);
   if (!unit || unit->is_directional != directions_.has_value()) {
     file_.fail(fmt::format("{}: expected units of {}, got \"{}\"", density_.name,
@@ -119,13 +120,23 @@ NetcdfVariable SpectraFile::need_density() const {
   return *density;
 }
 
+/// wavespectra (4.9) names its axes freq and dir, and mostly leaves out their units, which it fixes: Hz,
+/// degrees that waves come from, m^2/Hz/degree.
+std::string SpectraFile::unit_of(const NetcdfVariable& variable) const {
+  const std::string unit = file_.text_attribute(variable, "units");
+  if (!unit.empty() || !density_.axis({"freq"})) return unit;
+  if (variable.name == "freq") return "Hz";
+  if (variable.name == "dir") return "degree";
+  return density_.axis({"dir"}) ? "m2 s degree-1" : "m2 s";
+}
+
 std::vector<double> SpectraFile::need_frequencies() const {
   const auto variable = file_.find({"frequency", "freq"});
   if (!frequency_axis_ || !variable) {
     file_.fail(fmt::format("{}: expected a dimension and a variable frequency, got none", density_.name),
                "give a spectra file of WAVEWATCH III (ww3_ounp) or SWAN");
   }
-  const std::string unit_text = file_.text_attribute(*variable, "units");
+  const std::string unit_text = unit_of(*variable);
   const std::optional<double> unit_hz = parse_frequency_unit(unit_text);
   if (!unit_hz) {
     file_.fail(fmt::format("{}: expected units of s-1, got \"{}\"", variable->name, printable(unit_text)),
@@ -145,7 +156,8 @@ std::vector<double> SpectraFile::need_frequencies() const {
 double (*SpectraFile::direction_convention(const NetcdfVariable& variable) const)(double) {
   const std::string standard_name = file_.text_attribute(variable, "standard_name");
   const bool is_cartesian = file_.global_attribute("Directional_convention") == "cartesian";
-  if (standard_name.ends_with("from_direction")) return direction_from_origin_bearing;
+  const bool is_wavespectra = standard_name.empty() && variable.name == "dir";
+  if (is_wavespectra || standard_name.ends_with("from_direction")) return direction_from_origin_bearing;
   // ww3_ounp has always written directions of travel, early versions without saying so.
   const bool is_travel =
       standard_name.ends_with("to_direction") || (standard_name.empty() && density_.name == "efth");
@@ -161,7 +173,7 @@ double (*SpectraFile::direction_convention(const NetcdfVariable& variable) const
 std::optional<DirectionGrid> SpectraFile::directions() const {
   if (!direction_axis_) return std::nullopt;
   const auto variable = file_.find({"direction", "dir"});
-  const std::string unit_text = variable ? file_.text_attribute(*variable, "units") : "";
+  const std::string unit_text = variable ? unit_of(*variable) : "";
   const std::optional<double> unit_rad = parse_direction_unit(unit_text);
   if (!variable || !unit_rad) {
     file_.fail(fmt::format("expected a variable direction in degrees or radians, got units \"{}\"",

@@ -9,7 +9,7 @@
 
 namespace offing::spectra {
 
-/// Spectra of WAVEWATCH III and SWAN in NetCDF, classic or NetCDF-4: one spectrum a time and place that holds
+/// Spectra of WAVEWATCH III, SWAN and wavespectra in NetCDF, classic or NetCDF-4: one spectrum a time and place that holds
 /// data, times slowest.
 ///
 /// The density is the variable efth (WAVEWATCH III), density, energy or VaDens (SWAN), with dimensions
@@ -24,10 +24,13 @@ namespace offing::spectra {
 /// The header of a classic file is checked before libnetcdf sees it; what NetCDF-4 files do to libhdf5 is
 /// beyond Offing, so open none that you do not trust.
 ///
+/// wavespectra writes efth (time, freq, dir), mostly without attributes of the axes. What its axes and efth
+/// leave open is what wavespectra reads: Hz, degrees that waves come from, m^2/Hz/degree.
+///
 /// energy_1d or ef without directions gives non-directional spectra; SWAN's theta_1d and spread_1d beside it
 /// leave their conventions open and are not read, which is logged as a warning. Throws Error(bad_input)
 /// naming file and variable. Source: WAVEWATCH III manual (ww3_ounp); SWAN user manual (NetCDF output); CF
-/// conventions 1.5.
+/// conventions 1.5; wavespectra 4.9, read_wavespectra.
 std::vector<WaveSpectrum> parse_netcdf(std::span<const std::byte> bytes, std::string_view file_name);
 
 }  // namespace offing::spectra

@@ -18,8 +18,11 @@
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
 #include "host/io/spectra/netcdf_module.h"
+#include "host/io/spectra/octopus_spectra.h"
+#include "host/io/spectra/spotter_spectra.h"
 #include "host/io/spectra/swan_spectra.h"
 #include "host/io/spectra/text_cursor.h"
+#include "host/io/spectra/triaxys_spectra.h"
 #include "host/io/spectra/ww3_spectra.h"
 #include "host/io/whole_file.h"
 
@@ -129,13 +132,17 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
   if (line.find("WAVEWATCH III SPECTRA") != std::string_view::npos)
     return spectra::parse_ww3(file.bytes, file.name);
   if (word == "SWAN") return spectra::parse_swan(file.bytes, file.name);
+  if (line.find("TRIAXYS BUOY") != std::string_view::npos)
+    return spectra::parse_triaxys(file.bytes, file.name);
+  if (line.starts_with("Forecast valid for")) return spectra::parse_octopus(file.bytes, file.name);
+  if (spectra::is_spotter(line)) return spectra::parse_spotter(file.bytes, file.name);
   if (is_ndbc(line)) return read_ndbc(file, path, trust);
   if (is_datawell(file, path)) return spectra::parse_datawell(file.bytes, file.name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
                           file.bytes.empty() ? "an empty file" : "a file of unknown format"),
               "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
-              "Datawell .spt");
+              "wavespectra NetCDF, Datawell .spt, TRIAXYS, Octopus, Spotter CSV or JSON");
 }
 
 }  // namespace

@@ -10,8 +10,9 @@ namespace offing {
 
 /// All records of a wave spectrum file, in file order. The format is found by content, then by name: NDBC
 /// realtime (.data_spec) and historical text with the directional files beside them
-/// (spectra::NdbcCompanionPaths), WAVEWATCH III and SWAN as text and as NetCDF, Datawell .spt. See the
-/// parse_...() functions of this folder for what each holds. Never empty.
+/// (spectra::NdbcCompanionPaths), WAVEWATCH III and SWAN as text and as NetCDF, NetCDF of wavespectra,
+/// Datawell .spt, TRIAXYS, Octopus, Spotter as CSV and as JSON. See the parse_...() functions of this folder
+/// for what each holds. Never empty.
 ///
 /// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, larger than 1
 /// GiB, of no known format or damaged: what() names file and line. Logs a warning if only some of the

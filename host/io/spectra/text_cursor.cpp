@@ -90,6 +90,19 @@ std::optional<double> take_number(std::string_view& rest) {
   return value;
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view take_cell(std::string_view& rest) {
+  const std::size_t comma = rest.find(',');
+  const std::string_view cell = rest.substr(0, comma);
+  rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+  return trimmed(cell);
+}
+
 std::string_view take_word(std::string_view& rest) {
   std::size_t begin = 0;
   while (begin < rest.size() && is_space(rest[begin])) ++begin;

@@ -7,6 +7,9 @@
 
 namespace offing::spectra {
 
+/// What to do about a file whose parts do not go together.
+inline constexpr const char* damaged_hint = "the file is damaged or cut short; fetch or write it again";
+
 /// A file name fit for one line of an error message: control bytes as `\xNN`, UTF-8 kept.
 std::string printable_name(std::string_view name);
 
@@ -14,6 +17,12 @@ std::string printable_name(std::string_view name);
 /// "0.123-104" (a three-digit exponent without its letter) and numbers that touch ("40.98-171.12" is two).
 /// Values too small for a double are 0. Nothing (and `rest` as it was) if no finite number stands there.
 std::optional<double> take_number(std::string_view& rest);
+
+/// `text` without blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// Takes what stands before the next comma off `rest`, trimmed.
+std::string_view take_cell(std::string_view& rest);
 
 /// Takes the first word off `rest`, blanks skipped; empty at the end.
 std::string_view take_word(std::string_view& rest);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <numbers>
 
@@ -41,6 +42,7 @@ class MeasuredSea {
     if (record_.is_directional()) {
       check_directions();
       normalise_rows();
+      sum_first_moments();
     }
   }
 
@@ -76,6 +78,12 @@ class MeasuredSea {
     const double* next_row = row + count;
     return std::lerp(std::lerp(row[below], row[above], fraction),
                      std::lerp(next_row[below], next_row[above], fraction), shares.upper);
+  }
+
+  /// First circular moment of D at the shares of row_shares(), of the record's directions.
+  std::complex<double> first_moment(const Place& shares) const {
+    return (1.0 - shares.upper) * first_moments_[shares.index] +
+           shares.upper * first_moments_[shares.index + 1];
   }
 
   double peak_hz() const {
@@ -156,6 +164,19 @@ class MeasuredSea {
     }
   }
 
+  void sum_first_moments() {
+    const std::size_t count = record_.directions_rad.size();
+    std::vector<std::complex<double>> units;
+    for (const double direction_rad : record_.directions_rad) {
+      units.push_back(std::polar(2.0 * pi / static_cast<double>(count), direction_rad));
+    }
+    for (std::size_t i = 0; i < record_.frequencies_hz.size(); ++i) {
+      std::complex<double> sum = 0.0;
+      for (std::size_t j = 0; j < count; ++j) sum += record_.spreading[i * count + j] * units[j];
+      first_moments_.push_back(sum);
+    }
+  }
+
   Place find(double frequency_hz) const {
     const std::vector<double>& frequencies_hz = record_.frequencies_hz;
     const auto above = std::upper_bound(frequencies_hz.begin() + 1, frequencies_hz.end() - 1, frequency_hz);
@@ -165,6 +186,7 @@ class MeasuredSea {
   }
 
   WaveSpectrum record_;
+  std::vector<std::complex<double>> first_moments_;  // [nf]
 };
 
 // A fully developed sea moves its peak at U10 / 0.83 (Pierson and Moskowitz 1964, its wind brought to 10 m).
@@ -192,6 +214,9 @@ SeaSpectrum from_measured(const WaveSpectrum& measured, const SpreadingParameter
     spectrum.spreading_at = [sea](double omega_radps) -> DirectionalDensity {
       const Place shares = sea->row_shares(omega_radps / (2.0 * pi));
       return [sea, shares](double direction_rad) { return sea->spreading(shares, direction_rad); };
+    };
+    spectrum.first_moment_at = [sea](double omega_radps) {
+      return sea->first_moment(sea->row_shares(omega_radps / (2.0 * pi)));
     };
   } else {
     const double developed_mps =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "host/base/error.h"
@@ -42,6 +43,13 @@ Direction first_moment(const DirectionalDensity& density, const std::vector<Dire
     sine += value * direction.sine;
   }
   return total > 0.0 ? Direction{0.0, cosine / total, sine / total} : Direction{};
+}
+
+Direction first_moment(const SeaSpectrum& spectrum, double omega_radps,
+                       const std::vector<Direction>& directions) {
+  if (!spectrum.first_moment_at) return first_moment(spectrum.spreading_at(omega_radps), directions);
+  const std::complex<double> moment = spectrum.first_moment_at(omega_radps);
+  return {0.0, moment.real(), moment.imag()};
 }
 
 struct Moments {
@@ -151,7 +159,7 @@ SeaState integrate_sea_state(const SeaSpectrum& spectrum, double k_min_radpm, do
       const double weighted4 = variance_m2 * std::pow(energy / largest_energy, 3.0);
       moments.energy4 += weighted4;
       moments.frequency_energy4 += frequency_hz * weighted4;
-      const Direction mean = first_moment(spectrum.spreading_at(omega_radps), directions);
+      const Direction mean = first_moment(spectrum, omega_radps, directions);
       moments.cosine += variance_m2 * mean.cosine;
       moments.sine += variance_m2 * mean.sine;
     });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -18,6 +19,10 @@ struct SeaSpectrum {
   std::function<double(double omega_radps)> energy;  ///< E, m^2 s/rad
   /// D(omega, .) for one omega: what depends on omega alone is worked out once for a whole row of directions.
   std::function<DirectionalDensity(double omega_radps)> spreading_at;
+  /// First circular moment of D(omega, .), integral of D e^(i theta) d theta, where it is known without that
+  /// integral; may be empty. Of a measured record it is that of its listed directions: between them D is
+  /// linear, which makes the moment of D itself smaller by sinc^2 of half their spacing.
+  std::function<std::complex<double>(double omega_radps)> first_moment_at;
   double omega_min_radps = 0.0;  ///< E is 0 (or below 1e-9 of the total) outside [omega_min, omega_max]
   double omega_max_radps = 0.0;
   double omega_peak_radps = 0.0;  ///< where E is largest

@@ -164,6 +164,23 @@ TEST(NetcdfWw3, RespectsUnitsAndConventions) {
 }
 
 // As SWAN writes: packed densities with a scale a spectrum, radians, a grid of points, seconds.
+// Fails if what wavespectra leaves unsaid is taken for radians, or for directions that waves go to: all comes
+// from 90 degrees, 0.5 m^2/Hz/degree over a quarter of the circle.
+TEST(NetcdfWavespectra, ReadsWithoutAttributes) {
+  const TestNetcdf bare{{{"time", 1}, {"freq", 2}, {"dir", 4}},
+                        {{"time", {"time"}, {{"units", "seconds since 1970-01-01"}}, {1577836800.0}},
+                         {"freq", {"freq"}, {}, {0.1, 0.2}},
+                         {"dir", {"dir"}, {}, {0, 90, 180, 270}},
+                         {"efth", {"time", "freq", "dir"}, {}, {0, 0.5, 0, 0, 0, 0.5, 0, 0}}},
+                        {}};
+  const auto spectra = parse(bare);
+  ASSERT_EQ(spectra.size(), 1U);
+  expect_contract(spectra[0]);
+  EXPECT_EQ(spectra[0].time_utc, "2020-01-01T00:00Z");
+  EXPECT_NEAR(spectra[0].energy[1], 45.0, 1e-9);
+  EXPECT_NEAR(test::mean_from_deg(spectra[0]), 90.0, 1e-9);
+}
+
 TEST(NetcdfSwan, ReadsPackedGrids) {
   TestNetcdf file{{{"time", 1}, {"yc", 1}, {"xc", 3}, {"frequency", 2}, {"direction", 4}},
                   {{"time", {"time"}, {{"units", "seconds since 1970-01-01"}}, {1600000000}},
