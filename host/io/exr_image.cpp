@@ -26,15 +26,16 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
+#include <OpenEXR/ImfVersion.h>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/exr_rows.h"
 
 namespace offing {
 namespace {
 
-constexpr float largest_half = 65504.0f;
 constexpr const char* hint_of_damage = "make or copy the file again: it is cut short or damaged";
 
 /// Lets OpenEXR write into an AtomicFile.
@@ -133,16 +134,70 @@ Imf::Header header_of(const std::filesystem::path& path, const ExrImage& image, 
   return header;
 }
 
-std::vector<half> halves_of(std::span<const float> values) {
-  std::vector<half> halves(values.size());
-  std::transform(values.begin(), values.end(), halves.begin(),
-                 [](float value) { return half(std::clamp(value, -largest_half, largest_half)); });
+/// Whether a name is longer than the first versions of EXR allowed, which the file has to say.
+bool has_long_names(const Imf::Header& header) {
+  constexpr std::size_t short_name = 31;
+  const auto is_long = [](const char* name) { return std::string_view(name).size() > short_name; };
+  const Imf::ChannelList& channels = header.channels();
+  for (auto entry = channels.begin(); entry != channels.end(); ++entry) {
+    if (is_long(entry.name())) return true;
+  }
+  for (auto entry = header.begin(); entry != header.end(); ++entry) {
+    if (is_long(entry.name()) || is_long(entry.attribute().typeName())) return true;
+  }
+  return false;
+}
+
+std::vector<std::uint16_t> halves_of(std::span<const float> values) {
+  std::vector<std::uint16_t> halves(values.size());
+  std::transform(values.begin(), values.end(), halves.begin(), half_bits);
   return halves;
 }
 
 /// OpenEXR takes no const pointers, though it only reads what it writes to a file.
 char* slice_base(const void* values) {
   return const_cast<char*>(static_cast<const char*>(values));
+}
+
+void write_by_library(AtomicFile& file, const Imf::Header& header, const ExrImage& image,
+                      PixelType pixel_type) {
+  start_compression_threads();
+  const std::size_t columns = static_cast<std::size_t>(image.width);
+  std::vector<std::vector<std::uint16_t>> halves;
+  Imf::FrameBuffer frame;
+  for (const ImageChannel& channel : image.channels) {
+    if (pixel_type == PixelType::half_16) {
+      halves.push_back(halves_of(channel.values));
+      frame.insert(channel.name, Imf::Slice(Imf::HALF, slice_base(halves.back().data()),
+                                            sizeof(std::uint16_t), sizeof(std::uint16_t) * columns));
+    } else {
+      frame.insert(channel.name, Imf::Slice(Imf::FLOAT, slice_base(channel.values.data()), sizeof(float),
+                                            sizeof(float) * columns));
+    }
+  }
+  AtomicStream stream(file);
+  Imf::OutputFile output(stream, header);
+  output.setFrameBuffer(frame);
+  output.writePixels(image.height);
+}
+
+void write_by_rows(AtomicFile& file, const Imf::Header& header, const ExrImage& image, PixelType pixel_type,
+                   ExrCompression compression) {
+  header.sanityCheck();
+  AtomicStream stream(file);
+  const std::array<std::int32_t, 2> mark = {
+      Imf::MAGIC, Imf::EXR_VERSION | (has_long_names(header) ? Imf::LONG_NAMES_FLAG : 0)};
+  file.write(mark.data(), sizeof(mark));
+  header.writeTo(stream);
+  std::map<std::string_view, std::span<const float>> channels;
+  for (const ImageChannel& channel : image.channels) channels.emplace(channel.name, channel.values);
+  ExrRows rows{.columns = image.width,
+               .rows = image.height,
+               .channels = {},
+               .pixel_type = pixel_type,
+               .compression = compression};
+  for (const auto& [name, values] : channels) rows.channels.push_back(values);
+  write_exr_rows(file, rows);
 }
 
 ExrAttributes attributes_of(const Imf::Header& header) {
@@ -320,34 +375,25 @@ const std::vector<float>& ExrContent::channel(const std::string& name) const {
   return found->values;
 }
 
+float rounded_to_half(float value) {
+  return imath_half_to_float(half_bits(value));
+}
+
 void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelType pixel_type,
                ExrCompression compression, Existing existing) {
   check(path, image);
-  start_compression_threads();
   const Imf::Header header = header_of(path, image, pixel_type, compression);
-  const std::size_t columns = static_cast<std::size_t>(image.width);
-  std::vector<std::vector<half>> halves;
-  Imf::FrameBuffer frame;
-  for (const ImageChannel& channel : image.channels) {
-    if (pixel_type == PixelType::half_16) {
-      halves.push_back(halves_of(channel.values));
-      frame.insert(channel.name, Imf::Slice(Imf::HALF, slice_base(halves.back().data()), sizeof(half),
-                                            sizeof(half) * columns));
-    } else {
-      frame.insert(channel.name, Imf::Slice(Imf::FLOAT, slice_base(channel.values.data()), sizeof(float),
-                                            sizeof(float) * columns));
-    }
-  }
   AtomicFile file(path, existing);
   try {
-    AtomicStream stream(file);
-    Imf::OutputFile output(stream, header);
-    output.setFrameBuffer(frame);
-    output.writePixels(image.height);
+    if (compression == ExrCompression::none || compression == ExrCompression::zips) {
+      write_by_rows(file, header, image, pixel_type, compression);
+    } else {
+      write_by_library(file, header, image, pixel_type);
+    }
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw Error(ErrorKind::file, fmt::format("{}: OpenEXR cannot write: {}", path.string(), error.what()),
+    throw Error(ErrorKind::file, fmt::format("{}: cannot write an EXR file: {}", path.string(), error.what()),
                 "check the space left on the disk, or choose another compression");
   }
   file.commit();

@@ -45,6 +45,10 @@ struct ExrContent {
 
 /// How channels are stored.
 enum class PixelType { half_16, float_32 };
+/// half_16 keeps a value within the larger of this share of it and this number.
+inline constexpr double half_relative_error = 1.0 / 2048.0, half_absolute_error = 1.0 / 33554432.0;
+/// What half_16 makes of a value.
+float rounded_to_half(float value);
 /// OpenEXR's lossless compressions.
 enum class ExrCompression { none, zips, zip, piz };
 
