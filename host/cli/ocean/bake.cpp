@@ -18,8 +18,7 @@ namespace offing::cli {
 
 namespace {
 
-/// Frames that wait for the writer: one being made, one waiting and one being written keep all sides busy;
-/// each is several fields of n x n floats a cascade, so that more would only take memory.
+/// Frames that wait for a writer. One is enough to keep makers and writers busy; more would take memory.
 constexpr std::size_t waiting_frames = 1;
 
 class Bake {
@@ -37,10 +36,13 @@ class Bake {
 
   BakeSummary run() {
     {
-      const std::jthread writing = start([this] { write_frames(); });
-      // Each is waited for in the opposite order: the makers, then the writer, whose queue ends in between on
-      // every way out.
+      // Each is waited for in the opposite order: the makers, then the writers, whose queue ends in between
+      // on every way out.
+      std::vector<std::jthread> writers;
       const ClosedAtEnd closing{queue_};
+      for (std::size_t i = 0; i < writer_count(); ++i) {
+        writers.push_back(start([this] { write_frames(); }));
+      }
       std::vector<std::jthread> makers;
       for (const ocl::DeviceInfo& info : devices_) {
         makers.push_back(start([this, &info] { make_frames(info); }));
@@ -107,8 +109,8 @@ class Bake {
 
   void write_frames() noexcept {
     try {
-      while (const std::optional<BakedFrame> frame = queue_.pop()) {
-        writer_.write(*frame);
+      while (std::optional<BakedFrame> frame = queue_.pop()) {
+        writer_.write(std::move(*frame));
         ++written_;
         progress_.advance();
       }

@@ -19,7 +19,7 @@ struct BakeSummary {
 };
 
 /// Makes the frames of the settings' share that are not done yet: a thread for each device, which take frames
-/// in turn, and one that writes while the next frame is simulated. Throws the first error of any thread,
+/// in turn, and some that write while the next frame is simulated. Throws the first error of any thread,
 /// Error(cancelled) when stopped; frames finished by then stay.
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
                  const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,

@@ -16,6 +16,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/bake.h"
+#include "host/cli/ocean/bake_description.h"
 #include "host/cli/ocean/cascade_text.h"
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/ocean/query_settings.h"
@@ -38,7 +39,7 @@ struct BakeArguments {
   FrameFlags frames;
   std::string folder;
   std::string chunk = "1/1";
-  std::string channels = "displacement,slope,gradient,jacobian,foam";
+  std::string channels;  // empty: usual_channels()
   std::string export_file;
   bool json = false;
   BakeSettings settings;  ///< of flags without a value
@@ -49,6 +50,15 @@ std::vector<scene::Row<BakeSettings>> velocity_rows() {
   return {{&BakeSettings::velocity_depth_m,
            velocity_depth_facts(
                "write the particle velocity at this depth below the moving surface, down to the bed")}};
+}
+
+std::vector<scene::Row<BakeSettings>> layout_rows() {
+  return {{scene::choice(&BakeSettings::layout, {"channels", "combined", "rgb"}),
+           {.key = "layout",
+            .help = "channels: a file per cascade; combined: a file per frame, with layers; "
+                    "rgb: a plain RGB or Y file per map, which all programs load"}},
+          {scene::choice(&BakeSettings::axes, {"y-up", "z-up"}),
+           {.key = "axes", .help = "axes of the files: x east, y up, z south; or x east, y north, z up"}}};
 }
 
 std::vector<scene::Row<BakeSettings>> file_rows() {
@@ -68,10 +78,12 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::Scene& s
   settings.frames_per_second = scene.time.frames_per_second;
   settings.frames = arguments.frames.frames(scene);
   settings.share = read_share("--chunk", arguments.chunk);
-  settings.channels |= read_channels("--channels", arguments.channels);
+  settings.channels |= arguments.channels.empty() ? usual_channels(settings.layout)
+                                                  : read_channels("--channels", arguments.channels);
   if (arguments.values.is_given("--velocity-depth-m")) {
     settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
   }
+  require_maps(settings);
   return settings;
 }
 
@@ -96,7 +108,7 @@ void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files, 
 
 nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
                             const scene::EnergyShares& energy, const BakeSummary& summary,
-                            const std::string& hash) {
+                            const FrameWriter& writer, const std::string& hash) {
   nlohmann::json json = {{"folder", settings.folder.string()},
                          {"frames_written", summary.written},
                          {"frames_kept", summary.kept},
@@ -108,11 +120,25 @@ nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
     json["cascades"].push_back(
         {{"patch_m", sea.parameters.cascades[i].patch_length_m}, {"m0_m2", energy.cascade_m0_m2[i]}});
   }
+  for (const auto& [name, error] : writer.half_errors()) {
+    json["half_errors"][std::string(name)] = {{"largest_error", error.largest_error},
+                                              {"bound", error.bound()}};
+  }
   return json;
 }
 
+/// How far 16-bit floats are off, a line a map.
+std::string half_error_text(const FrameWriter& writer) {
+  std::string text;
+  for (const auto& [name, error] : writer.half_errors()) {
+    text += fmt::format("16-bit {}: at most {:.2g}{}{} off (bound {:.2g})\n", name, error.largest_error,
+                        error.unit.empty() ? "" : " ", error.unit, error.bound());
+  }
+  return text;
+}
+
 /// What is asked for and cannot be done, and what is in the scene and not in the frames.
-void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
+void warn_of_waves_beside(const scene::Sea& sea, const scene::EnergyShares& energy, GerstnerUse use) {
   if (use == GerstnerUse::included && !sea.has_gerstner_waves()) {
     spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
   }
@@ -121,6 +147,15 @@ void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
   }
   if (use != GerstnerUse::included && !sea.raindrops.empty()) {
     spdlog::warn("the frames leave out the raindrops of the scene: --include-gerstner adds them");
+  }
+  const double left_out_m2 = energy_m2(sea.parameters.gerstner_waves.waves);
+  if (use != GerstnerUse::included && left_out_m2 > 0.0) {
+    const double all_m2 = energy.m0_m2 + energy_m2(sea.swells);
+    spdlog::warn(
+        "the maps leave out the {} Gerstner waves, {:.0f} % of the sea's energy: --include-gerstner adds "
+        "them, "
+        "ocean.json lists them",
+        sea.parameters.gerstner_waves.waves.size(), 100.0 * left_out_m2 / all_m2);
   }
 }
 
@@ -155,7 +190,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
     std::fflush(stdout);
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
-  warn_of_waves_beside(sea, settings.gerstner);
+  warn_of_waves_beside(sea, energy, settings.gerstner);
   warn_of_water_left_out(scene, "frames");
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
@@ -168,6 +203,10 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   if (!arguments.export_file.empty()) {  // after the folder: it may lie there
     export_spectrum(arguments.export_file, sea, settings.existing, inputs);
   }
+  const std::string description = bake_description(scene, sea, settings, energy, hash).dump(2) + "\n";
+  if (const std::string file = files.description(); !holds(file, description)) {
+    write_file_atomically(file, description);  // prepare_folder() has looked at what is there
+  }
   FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
     const std::size_t count = frames_in_share(settings.frames, settings.share).size();
@@ -178,8 +217,9 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
     write_contact_sheet(settings, files, writer.contact_sheet());
   }
   if (arguments.json) {
-    fmt::print("{}\n", summary_json(settings, sea, energy, summary, hash).dump(2));
+    fmt::print("{}\n", summary_json(settings, sea, energy, summary, writer, hash).dump(2));
   } else {
+    print_summary("{}", half_error_text(writer));
     print_summary("{} frame{} written, {} there already: {}\n", summary.written,
                   summary.written == 1 ? "" : "s", summary.kept, settings.folder.string());
   }
@@ -192,19 +232,21 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
     return command.add_option(names, target, help)->type_name(placeholder)->group(group);
   };
   const auto add_switch = [&](const char* name, const char* help, auto set) {
-    command.add_flag_callback(name, set, help)->group(group);
+    return command.add_flag_callback(name, set, help)->group(group);
   };
   add("-o,--output", arguments->folder, "DIR", "folder for the frames; created if missing")->required();
   arguments->frames.add_frames_to(command, group);
   add("--channels", arguments->channels, "LIST",
-      "channels to write, separated by commas: displacement, slope, gradient, jacobian, foam, velocity "
-      "(default: all but velocity)");
+      "channels to write, separated by commas: displacement, slope, gradient, jacobian, foam, velocity, "
+      "normal\n(default: all but the last two; with --layout rgb displacement, foam, normal)");
   add_switch("--velocity", "also write the particle velocity at the surface",
              [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
   arguments->values.add_to(command, velocity_rows(), group);
-  add_switch("--combined", "write one file per frame with layers c0, c1, ... (default: one file per cascade)",
-             [&settings] { settings.layout = FileLayout::combined; });
-  add_switch("--half", "write 16-bit floats (default: 32-bit)",
+  arguments->values.add_to(command, layout_rows(), group);
+  add_switch("--combined", "the same as --layout combined", [&settings] {
+    settings.layout = FileLayout::combined;
+  })->excludes(command.get_option("--layout"));
+  add_switch("--half", "write 16-bit floats, each within 1/2048 of the value or 3e-8 (default: 32-bit)",
              [&settings] { settings.pixel_type = PixelType::half_16; });
   arguments->values.add_to(command, file_rows(), group);
   add_switch("--preview", "also write a shaded picture of each frame from above, and a contact sheet of all",

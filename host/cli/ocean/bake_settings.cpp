@@ -12,7 +12,7 @@ namespace offing::cli {
 namespace {
 
 constexpr std::array<std::string_view, channel_group_count> channel_names = {
-    "displacement", "slope", "gradient", "jacobian", "foam", "velocity"};
+    "displacement", "slope", "gradient", "jacobian", "foam", "velocity", "normal"};
 
 }  // namespace
 
@@ -22,6 +22,11 @@ std::vector<int> frames_in_share(const FrameRange& frames, const Share& share) {
     own.push_back(frame);
   }
   return own;
+}
+
+ChannelGroups usual_channels(FileLayout layout) {
+  return read_channels("--channels", layout == FileLayout::rgb ? "displacement,foam,normal"
+                                                               : "displacement,slope,gradient,jacobian,foam");
 }
 
 ChannelGroups read_channels(std::string_view flag, std::string_view text) {
@@ -46,6 +51,9 @@ std::string canonical_text(const BakeSettings& settings) {
   std::string text = fmt::format("layout {} pixel {} compression {} channels {}",
                                  static_cast<int>(settings.layout), static_cast<int>(settings.pixel_type),
                                  static_cast<int>(settings.compression), settings.channels.to_string());
+  if (settings.axes == MapAxes::z_up) {
+    text += " axes z-up";
+  }
   if (settings.gerstner == GerstnerUse::included) {
     text += " gerstner included";
   }

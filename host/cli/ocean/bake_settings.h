@@ -13,11 +13,14 @@
 namespace offing::cli {
 
 /// Groups of channels in a baked EXR; foam, jacobian and the rest are of one cascade alone.
-enum class ChannelGroup { displacement, slope, gradient, jacobian, foam, velocity };
-inline constexpr std::size_t channel_group_count = 6;
+enum class ChannelGroup { displacement, slope, gradient, jacobian, foam, velocity, normal };
+inline constexpr std::size_t channel_group_count = 7;
 using ChannelGroups = std::bitset<channel_group_count>;
 
-enum class FileLayout { file_a_cascade, combined };
+/// One file a cascade with all channels, one file a frame, or one plain RGB or Y file a map.
+enum class FileLayout { channels, combined, rgb };
+/// What x, y and z are in files: east, up and south, or east, north and up.
+enum class MapAxes { y_up, z_up };
 enum class MeshFormat { none, obj, ply };
 enum class PreviewUse { none, pictures };
 /// Whether the first cascade holds the Gerstner waves, or the header alone.
@@ -29,9 +32,10 @@ struct BakeSettings {
   FrameRange frames;
   Share share;
   double frames_per_second = 24.0;
-  FileLayout layout = FileLayout::file_a_cascade;
+  FileLayout layout = FileLayout::channels;
+  MapAxes axes = MapAxes::y_up;
   PixelType pixel_type = PixelType::float_32;
-  ExrCompression compression = ExrCompression::zip;
+  ExrCompression compression = ExrCompression::none;
   ChannelGroups channels;
   double velocity_depth_m = 0.0;  ///< of the velocity channels, below the instantaneous surface
   MeshFormat mesh = MeshFormat::none;
@@ -46,6 +50,9 @@ struct BakeSettings {
 /// Frames of a share: first + index, first + index + count, ... so that every process gets early and late
 /// ones and shares differ by at most one frame.
 std::vector<int> frames_in_share(const FrameRange& frames, const Share& share);
+
+/// Groups that are written unless others are asked for.
+ChannelGroups usual_channels(FileLayout layout);
 
 /// "displacement,slope,foam" as groups. Throws Error(bad_usage) that names an unknown one.
 ChannelGroups read_channels(std::string_view flag, std::string_view text);

@@ -8,11 +8,15 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
+#define XXH_INLINE_ALL  // the header is the library
+#include <xxhash.h>
 
 #include "host/base/error.h"
 #include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
+#include "host/io/whole_file.h"
 
 namespace offing::cli {
 
@@ -20,8 +24,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// More than any bake has had: what a single digit counts.
-constexpr int most_cascades = 10;
+/// All that any bake may have written of a cascade; more cascades than any had: what a single digit counts.
+std::vector<BakedMap> all_maps() {
+  constexpr std::size_t most_cascades = 10;
+  BakeSettings settings;
+  settings.channels.set();
+  std::vector<BakedMap> all;
+  for (const FileLayout layout : {FileLayout::channels, FileLayout::combined, FileLayout::rgb}) {
+    settings.layout = layout;
+    const std::vector<BakedMap> maps = baked_maps(settings, most_cascades);
+    all.insert(all.end(), maps.begin(), maps.end());
+  }
+  return all;
+}
 
 /// The hash that a bake wrote into this file, empty if it is no bake's; nothing if the file is missing or
 /// damaged.
@@ -43,6 +58,28 @@ std::optional<std::string> hash_in(const fs::path& file, ReadAttributes read) {
   }
 }
 
+/// Throws Error(bad_input) for a file whose values are not those that were written.
+ExrAttributes read_whole_frame(const fs::path& file) {
+  ExrContent content = read_exr(file);
+  std::vector<ImageChannel> channels;
+  for (const ExrContent::Channel& channel : content.channels)
+    channels.push_back({channel.name, channel.values});
+  const std::pair<std::string, ExrAttribute> expected{"values_hash", values_hash(std::move(channels))};
+  if (std::find(content.attributes.begin(), content.attributes.end(), expected) == content.attributes.end()) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: its values have changed", file.string()),
+                "make it again");
+  }
+  return content.attributes;
+}
+
+/// The attributes of a description that tell whose it is.
+ExrAttributes read_description(const fs::path& file) {
+  const auto json = nlohmann::json::parse(
+      read_whole_file(file, {.kind = "the description of a bake", .most_bytes = 1 << 20}), nullptr, false);
+  if (!json.is_object() || !json.contains("scene_hash") || !json["scene_hash"].is_string()) return {};
+  return {{"scene_hash", json["scene_hash"].get<std::string>()}};
+}
+
 void remove_file(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
@@ -59,9 +96,21 @@ void remove_file(const fs::path& file) {
 
 }  // namespace
 
+std::string values_hash(std::vector<ImageChannel> channels) {
+  std::sort(channels.begin(), channels.end(),
+            [](const ImageChannel& a, const ImageChannel& b) { return a.name < b.name; });
+  XXH3_state_t state;
+  XXH3_128bits_reset(&state);
+  for (const ImageChannel& channel : channels) {
+    XXH3_128bits_update(&state, channel.values.data(), channel.values.size_bytes());
+  }
+  const XXH128_hash_t hash = XXH3_128bits_digest(&state);
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
 FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
-  static const std::regex exr_name(R"(ocean(\.c[0-9])?\.[0-9]{4,}\.exr)");
-  static const std::regex product_name(R"(ocean\.[0-9]{4,}\.(obj|ply|png)|contact_sheet\.png)");
+  static const std::regex exr_name(R"(ocean(\.c[0-9](_[a-z_]+)?)?\.[0-9]{4,}\.exr)");
+  static const std::regex product_name(R"(ocean\.[0-9]{4,}\.(obj|ply|png)|contact_sheet\.png|ocean\.json)");
   Listing listing;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -77,7 +126,10 @@ FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
 }
 
 FrameFiles::FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash)
-    : settings_(settings), cascades_(cascades), scene_hash_(std::move(scene_hash)) {}
+    : settings_(settings),
+      maps_(baked_maps(settings, static_cast<std::size_t>(cascades))),
+      possible_maps_(all_maps()),
+      scene_hash_(std::move(scene_hash)) {}
 
 void FrameFiles::prepare_folder(const GivenInputs& inputs) const {
   const fs::path& folder = settings_.folder;
@@ -102,7 +154,7 @@ void FrameFiles::prepare_folder(const GivenInputs& inputs) const {
 void FrameFiles::require_own_files(const Listing& listing) const {
   // Frames come before what is made with them, so that another process that has just begun cannot have made
   // products alone: its frames are looked for after its products.
-  bool has_own_frames = false;
+  bool has_own_frames = hash_in(description(), read_description) == scene_hash_;
   std::vector<fs::path> damaged;
   for (const fs::path& file : list_folder(settings_.folder).exr_files) {
     const std::optional<std::string> hash = hash_in(file, read_exr_attributes);
@@ -132,11 +184,12 @@ void FrameFiles::require_own_files(const Listing& listing) const {
 
 bool FrameFiles::will_write(const fs::path& file) const {
   const std::string name = file.filename().string();
+  if (name == description().filename()) return true;
   if (settings_.preview == PreviewUse::pictures && name == contact_sheet().filename()) return true;
-  static const std::regex numbered(R"(ocean(\.c[0-9])?\.([0-9]{4,9})\.[a-z]+)");
+  static const std::regex numbered(R"(ocean(\.c[0-9](_[a-z_]+)?)?\.([0-9]{4,9})\.[a-z]+)");
   std::smatch parts;
   if (!std::regex_match(name, parts, numbered)) return false;
-  const int frame = std::stoi(parts[2]);
+  const int frame = std::stoi(parts[3]);
   if (frame < settings_.frames.first || frame > settings_.frames.last) return false;
   std::vector<fs::path> own = exr_files(frame);
   if (settings_.mesh != MeshFormat::none) own.push_back(mesh(frame));
@@ -164,10 +217,8 @@ bool FrameFiles::is_done(int frame) const {
     return false;
   }
   const std::vector<fs::path> files = exr_files(frame);
-  return std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
-    const auto hash = hash_in(file, [](const fs::path& path) { return read_exr(path).attributes; });
-    return hash == scene_hash_;
-  });
+  return std::all_of(files.begin(), files.end(),
+                     [&](const fs::path& file) { return hash_in(file, read_whole_frame) == scene_hash_; });
 }
 
 void FrameFiles::remove_products(int frame) const {
@@ -199,16 +250,8 @@ void FrameFiles::remove_foreign_files(int frame) const {
   }
 }
 
-fs::path FrameFiles::exr(int frame, int cascade) const {
-  return settings_.layout == FileLayout::combined ? combined_exr(frame) : cascade_exr(frame, cascade);
-}
-
-fs::path FrameFiles::combined_exr(int frame) const {
-  return product(frame, "exr");
-}
-
-fs::path FrameFiles::cascade_exr(int frame, int cascade) const {
-  return settings_.folder / fmt::format("ocean.c{}.{:04}.exr", cascade, frame);
+fs::path FrameFiles::exr(int frame, const std::string& file) const {
+  return settings_.folder / fmt::format("{}.{:04}.exr", file, frame);
 }
 
 fs::path FrameFiles::mesh(int frame) const {
@@ -223,19 +266,23 @@ fs::path FrameFiles::contact_sheet() const {
   return settings_.folder / "contact_sheet.png";
 }
 
+fs::path FrameFiles::description() const {
+  return settings_.folder / "ocean.json";
+}
+
 std::vector<fs::path> FrameFiles::exr_files(int frame) const {
-  std::vector<fs::path> files;
-  const int count = settings_.layout == FileLayout::combined ? 1 : cascades_;
-  for (int cascade = 0; cascade < count; ++cascade) {
-    files.push_back(exr(frame, cascade));
-  }
-  return files;
+  return exr_files(frame, maps_);
 }
 
 std::vector<fs::path> FrameFiles::possible_exr_files(int frame) const {
-  std::vector<fs::path> files = {combined_exr(frame)};
-  for (int cascade = 0; cascade < most_cascades; ++cascade) {
-    files.push_back(cascade_exr(frame, cascade));
+  return exr_files(frame, possible_maps_);
+}
+
+std::vector<fs::path> FrameFiles::exr_files(int frame, const std::vector<BakedMap>& maps) const {
+  std::vector<fs::path> files;
+  for (const BakedMap& map : maps) {
+    const fs::path file = exr(frame, map.file);
+    if (files.empty() || files.back() != file) files.push_back(file);
   }
   return files;
 }

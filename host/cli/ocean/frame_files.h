@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "host/cli/ocean/bake_settings.h"
+#include "host/cli/ocean/frame_maps.h"
 #include "host/command_line/input_files.h"
+#include "host/io/exr_image.h"
 
 namespace offing::cli {
+
+/// 32 hexadecimal digits of all values of an EXR file, which its header has: uncompressed pixels have no
+/// other check. The order of the channels does not matter.
+std::string values_hash(std::vector<ImageChannel> channels);
 
 /// Names of a bake's files, and what of them is there already.
 class FrameFiles {
@@ -16,10 +22,10 @@ class FrameFiles {
   FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash);
 
   /// Makes the folder, removes what killed runs left behind, and checks what is there. A folder with frames
-  /// of this very bake is an interrupted bake, which resumes: damaged frames, meshes and pictures are its own
-  /// too. Throws Error(file) if the folder cannot be written to, Error(bad_usage) for an input among the
-  /// files that a bake writes, and unless files may be replaced Error(bad_input) for another bake's frames
-  /// and Error(bad_usage) for files that this bake would write over.
+  /// or the description of this very bake is an interrupted bake, which resumes: damaged frames, meshes and
+  /// pictures are its own too. Throws Error(file) if the folder cannot be written to, Error(bad_usage) for an
+  /// input among the files that a bake writes, and unless files may be replaced Error(bad_input) for another
+  /// bake's frames and Error(bad_usage) for files that this bake would write over.
   void prepare_folder(const GivenInputs& inputs = {}) const;
 
   /// Whether all files of this frame exist, whole, from this very bake. Reads the EXR files through, so that
@@ -41,10 +47,12 @@ class FrameFiles {
   /// Whether this bake writes a file of this name into its folder.
   bool will_write(const std::filesystem::path& file) const;
 
-  std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined
+  /// The EXR file of this BakedMap::file.
+  std::filesystem::path exr(int frame, const std::string& file) const;
   std::filesystem::path mesh(int frame) const;
   std::filesystem::path preview(int frame) const;
   std::filesystem::path contact_sheet() const;
+  std::filesystem::path description() const;  ///< ocean.json
 
  private:
   /// Files of a folder that have names of a bake's.
@@ -54,15 +62,14 @@ class FrameFiles {
   static Listing list_folder(const std::filesystem::path& folder);
   void require_own_files(const Listing& listing) const;
 
-  std::filesystem::path combined_exr(int frame) const;
-  std::filesystem::path cascade_exr(int frame, int cascade) const;
   std::vector<std::filesystem::path> exr_files(int frame) const;
   /// What any bake may have named the EXR files of this frame.
   std::vector<std::filesystem::path> possible_exr_files(int frame) const;
+  std::vector<std::filesystem::path> exr_files(int frame, const std::vector<BakedMap>& maps) const;
   std::filesystem::path product(int frame, const char* extension) const;
 
   const BakeSettings& settings_;
-  int cascades_;
+  std::vector<BakedMap> maps_, possible_maps_;
   std::string scene_hash_;
 };
 

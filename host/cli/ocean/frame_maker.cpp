@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -18,8 +19,8 @@ void add(std::vector<float>& values, const std::vector<float>& more) {
   }
 }
 
-// Beside the one that each device makes: one waits and one is written.
-constexpr std::size_t frames_behind = 2;
+// Beside those that devices make and threads write.
+constexpr std::size_t waiting_frames = 1;
 
 bool shows_foam(const BakeSettings& settings) {
   return settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
@@ -30,6 +31,23 @@ ocean::OceanParameters baked_parameters(const scene::Sea& sea, GerstnerUse use) 
   ocean::OceanParameters parameters = sea.parameters;
   if (use != GerstnerUse::included) parameters.gerstner_waves = {};
   return parameters;
+}
+
+/// t_z x t_x of the tangents along x and z of the displaced surface. It points down where the surface folds.
+NormalFields normals_of(const ocean::SurfaceFields& surface) {
+  const std::size_t count = surface.slope_x.size();
+  NormalFields normals{std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const float xx = 1.0f + surface.gradient_xx[i], zz = 1.0f + surface.gradient_zz[i];
+    const float xz = surface.gradient_xz[i], slope_x = surface.slope_x[i], slope_z = surface.slope_z[i];
+    const float x = slope_z * xz - zz * slope_x, y = xx * zz - xz * xz, z = xz * slope_x - slope_z * xx;
+    const float length = std::sqrt(x * x + y * y + z * z);
+    const bool is_none = length == 0.0f;  // the surface is a line or a point there
+    normals.x[i] = is_none ? 0.0f : x / length;
+    normals.y[i] = is_none ? 1.0f : y / length;
+    normals.z[i] = is_none ? 0.0f : z / length;
+  }
+  return normals;
 }
 
 bool shares_host_memory(const ocl::DeviceInfo& device) {
@@ -119,13 +137,21 @@ void GerstnerLayer::add_velocity(ocean::VelocityFields& velocity, const ocean::G
   }
 }
 
+std::size_t writer_count() {
+  // Some, because each waits for the disk in turn. Compression has threads of its own (write_exr()).
+  constexpr unsigned most = 4;
+  return std::clamp(std::thread::hardware_concurrency(), 1u, most);
+}
+
 std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades) {
   const std::size_t texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   const std::size_t surface = 10, foam = shows_foam(settings) ? 1 : 0,
                     velocity = settings.has(ChannelGroup::velocity) ? 3 : 0;
   const std::size_t with_gerstner = settings.gerstner == GerstnerUse::included ? 1 : 0;
+  const std::size_t normal = settings.has(ChannelGroup::normal) ? 3 : 0;
   const std::size_t mesh = settings.mesh == MeshFormat::none ? 0 : 6;
-  return texels * sizeof(float) * ((cascades + with_gerstner) * (surface + foam + velocity) + mesh);
+  return texels * sizeof(float) *
+         ((cascades + with_gerstner) * (surface + foam + velocity) + cascades * normal + mesh);
 }
 
 std::size_t sea_bytes(const BakeSettings& settings, const scene::Sea& sea) {
@@ -149,7 +175,7 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
   const std::size_t cascades = sea.parameters.cascades.size();
   const int size = sea.parameters.size;
   const std::size_t frames =
-      std::min<std::size_t>(devices.size() + frames_behind,
+      std::min<std::size_t>(devices.size() + waiting_frames + writer_count(),
                             static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
   const auto seas =
       static_cast<std::size_t>(std::count_if(devices.begin(), devices.end(), shares_host_memory));
@@ -189,6 +215,9 @@ BakedFrame FrameMaker::make(int frame) {
   if (gerstner_) {
     baked.first_with_gerstner =
         gerstner_->with_waves(baked.cascades.front(), ocean_, baked.time_s, settings_.velocity_depth_m);
+  }
+  for (std::size_t i = 0; settings_.has(ChannelGroup::normal) && i < baked.cascades.size(); ++i) {
+    baked.written(i).normal = normals_of(baked.written(i).surface);
   }
   if (settings_.mesh != MeshFormat::none) {
     baked.mesh = make_mesh();

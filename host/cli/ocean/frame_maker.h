@@ -18,12 +18,18 @@
 /// Makes the frames that are baked: the fields of a sea at each time, in host memory.
 namespace offing::cli {
 
+/// Unit normals, each [n][n].
+struct NormalFields {
+  std::vector<float> x, y, z;
+};
+
 /// One frame in host memory, as far as the settings ask for it.
 struct BakedFrame {
   struct CascadeFields {
     ocean::SurfaceFields surface;
     std::vector<float> foam;         ///< [n][n], or empty
     ocean::VelocityFields velocity;  ///< at the settings' depth, or empty
+    NormalFields normal;             ///< of the displaced surface of these fields alone, or empty
   };
   int number = 0;
   double time_s = 0.0;
@@ -31,6 +37,11 @@ struct BakedFrame {
   /// The first cascade with the Gerstner waves, where they are to be included (GerstnerLayer).
   std::optional<CascadeFields> first_with_gerstner = {};
   GridMesh mesh;  ///< all cascades together, and included Gerstner waves, over the longest patch; or empty
+
+  /// What is written of a cascade.
+  CascadeFields& written(std::size_t cascade) {
+    return cascade == 0 && first_with_gerstner ? *first_with_gerstner : cascades[cascade];
+  }
 };
 
 /// The first cascade of a baked frame with the Gerstner waves of the sea, on one device.
@@ -57,6 +68,9 @@ class GerstnerLayer {
   std::map<std::int64_t, std::vector<float>>
       coverages_;  // by key of the instant, as the next frame needs them
 };
+
+/// Threads that write frames, each a frame at a time.
+std::size_t writer_count();
 
 /// What a frame takes of host memory.
 std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades);

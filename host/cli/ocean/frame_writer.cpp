@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -15,15 +16,6 @@
 
 namespace offing::cli {
 
-namespace {
-
-/// What is written of a cascade.
-const BakedFrame::CascadeFields& fields_of(const BakedFrame& frame, std::size_t cascade) {
-  return cascade == 0 && frame.first_with_gerstner ? *frame.first_with_gerstner : frame.cascades[cascade];
-}
-
-}  // namespace
-
 FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
                          std::string scene_hash, std::string spectrum_name)
     : sea_(sea),
@@ -32,12 +24,14 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       scene_hash_(std::move(scene_hash)),
       spectrum_name_(std::move(spectrum_name)),
       hs_m_(ocean::integrate_sea_state(sea.spectrum).hs_m),
+      maps_(baked_maps(settings, sea.parameters.cascades.size())),
       contact_sheet_(settings.frames, [&files](int frame) { return files.preview(frame); }) {}
 
-void FrameWriter::write(const BakedFrame& frame) {
+void FrameWriter::write(BakedFrame frame) {
   files_.remove_foreign_files(frame.number);
   std::optional<RgbImage> preview;
   if (settings_.preview == PreviewUse::pictures) preview = draw_preview(frame);
+  if (settings_.axes == MapAxes::z_up) turn_z_up(frame);
   // A frame is done when all its files are there. The EXR files come first: they tell whose the folder is.
   files_.remove_products(frame.number);
   write_fields(frame);
@@ -52,26 +46,51 @@ void FrameWriter::write(const BakedFrame& frame) {
   }
 }
 
-void FrameWriter::write_fields(const BakedFrame& frame) const {
-  if (settings_.layout == FileLayout::combined) {
-    ExrImage image = image_of(frame);
-    image.attributes.emplace_back("tileable", frame.first_with_gerstner ? 0 : 1);
-    for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
-      const std::string layer = fmt::format("c{}.", i);
-      add_cascade(image, fields_of(frame, i), layer);
-      add_cascade_attributes(image, i, layer);
+void FrameWriter::write_fields(BakedFrame& frame) {
+  for (auto first = maps_.begin(); first != maps_.end();) {
+    const auto last =
+        std::find_if(first, maps_.end(), [&](const BakedMap& map) { return map.file != first->file; });
+    write_file(frame, {first, last});
+    first = last;
+  }
+}
+
+void FrameWriter::write_file(BakedFrame& frame, std::span<const BakedMap> maps) {
+  ExrImage image = image_of(frame);
+  image.attributes.emplace_back("tileable", maps.front().cascade == 0 && frame.first_with_gerstner ? 0 : 1);
+  std::deque<std::vector<float>> rounded;  // what the channels of 16-bit floats refer to
+  std::optional<std::size_t> cascade;
+  for (const BakedMap& map : maps) {
+    if (cascade != map.cascade) {
+      cascade = map.cascade;
+      add_cascade_attributes(image, *cascade,
+                             settings_.layout == FileLayout::combined ? fmt::format("c{}.", *cascade) : "");
     }
-    write_exr(files_.exr(frame.number, 0), image, settings_.pixel_type, settings_.compression);
-    return;
+    for (const BakedMap::Channel& channel : map.channels) {
+      std::span<const float> values = channel.values(frame.written(*cascade));
+      if (settings_.pixel_type == PixelType::half_16)
+        values = rounded.emplace_back(round_to_half(map, values));
+      image.channels.push_back({channel.name, values});
+    }
   }
-  for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
-    ExrImage image = image_of(frame);
-    image.attributes.emplace_back("tileable", i == 0 && frame.first_with_gerstner ? 0 : 1);
-    add_cascade(image, fields_of(frame, i), "");
-    add_cascade_attributes(image, i, "");
-    write_exr(files_.exr(frame.number, static_cast<int>(i)), image, settings_.pixel_type,
-              settings_.compression);
+  image.attributes.emplace_back("values_hash", values_hash(image.channels));
+  write_exr(files_.exr(frame.number, maps.front().file), image, settings_.pixel_type, settings_.compression);
+}
+
+/// The values as they will be read; keeps how far they are off.
+std::vector<float> FrameWriter::round_to_half(const BakedMap& map, std::span<const float> values) {
+  std::vector<float> rounded(values.size());
+  HalfError found{.unit = map.unit};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    rounded[i] = rounded_to_half(values[i]);
+    found.largest_error = std::max(found.largest_error, std::abs(values[i] - rounded[i]));
+    found.largest_value = std::max(found.largest_value, std::abs(values[i]));
   }
+  const std::lock_guard lock(half_errors_mutex_);
+  HalfError& kept = half_errors_.try_emplace(map.name, found).first->second;
+  kept.largest_error = std::max(kept.largest_error, found.largest_error);
+  kept.largest_value = std::max(kept.largest_value, found.largest_value);
+  return rounded;
 }
 
 RgbImage FrameWriter::draw_preview(const BakedFrame& frame) const {
@@ -101,6 +120,9 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
   if (settings_.has(ChannelGroup::velocity)) {
     image.attributes.emplace_back("velocity_depth_m", settings_.velocity_depth_m);
   }
+  if (settings_.axes == MapAxes::z_up) {
+    image.attributes.emplace_back("axes", "z-up");
+  }
   if (!sea_.parameters.gerstner_waves.waves.empty()) {
     add_gerstner_attributes(image, frame.time_s);
   }
@@ -108,42 +130,20 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
 }
 
 /// The waves as they stand at this time: h = sum of A cos(kx x + kz z + phase), displaced sideways by -Q A
-/// K/k sin(kx x + kz z + phase).
+/// K/k sin(kx x + kz z + phase); with z up, ky y instead of kz z.
 void FrameWriter::add_gerstner_attributes(ExrImage& image, double time_s) const {
   const ocean::GerstnerInstant instant(sea_.parameters.gerstner_waves, time_s);
+  const bool is_z_up = settings_.axes == MapAxes::z_up;
   std::string list;
   for (const ocean::GerstnerInstant::Wave& wave : instant.waves()) {
     const double phase_rad = std::remainder(wave.phase_rad, 2.0 * std::numbers::pi);
     list += fmt::format("{}{:.17g} {:.17g} {:.17g} {:.17g}", list.empty() ? "" : "; ", wave.amplitude_m,
-                        wave.kx_radpm, wave.kz_radpm, phase_rad);
+                        wave.kx_radpm, is_z_up ? -wave.kz_radpm : wave.kz_radpm, phase_rad);
   }
   image.attributes.emplace_back("gerstner", list);
-  image.attributes.emplace_back("gerstner_columns", "A_m kx_radpm kz_radpm phase_rad");
+  image.attributes.emplace_back("gerstner_columns",
+                                fmt::format("A_m kx_radpm {}_radpm phase_rad", is_z_up ? "ky" : "kz"));
   image.attributes.emplace_back("gerstner_choppiness", instant.horizontal_scale());
-}
-
-void FrameWriter::add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields,
-                              const std::string& layer) const {
-  const ocean::SurfaceFields& surface = fields.surface;
-  const auto add = [&](ChannelGroup group, const char* name, const std::vector<float>& values) {
-    if (settings_.has(group)) {
-      image.channels.push_back({layer + name, values});
-    }
-  };
-  add(ChannelGroup::displacement, "displacement.X", surface.displacement_x);
-  add(ChannelGroup::displacement, "displacement.Y", surface.displacement_y);
-  add(ChannelGroup::displacement, "displacement.Z", surface.displacement_z);
-  add(ChannelGroup::slope, "slope.X", surface.slope_x);
-  add(ChannelGroup::slope, "slope.Z", surface.slope_z);
-  add(ChannelGroup::gradient, "gradient.XX", surface.gradient_xx);
-  add(ChannelGroup::gradient, "gradient.XZ", surface.gradient_xz);
-  add(ChannelGroup::gradient, "gradient.ZZ", surface.gradient_zz);
-  add(ChannelGroup::jacobian, "jacobian", surface.jacobian);
-  add(ChannelGroup::jacobian, "jacobian_min_eigenvalue", surface.jacobian_min_eigenvalue);
-  add(ChannelGroup::foam, "foam", fields.foam);
-  add(ChannelGroup::velocity, "velocity.X", fields.velocity.x);
-  add(ChannelGroup::velocity, "velocity.Y", fields.velocity.y);
-  add(ChannelGroup::velocity, "velocity.Z", fields.velocity.z);
 }
 
 void FrameWriter::add_cascade_attributes(ExrImage& image, std::size_t cascade,

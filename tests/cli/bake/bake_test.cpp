@@ -93,7 +93,7 @@ TEST_F(Bake, WritesTheDocumentedFiles) {
   bake("out", {"--frames", "4:5"});
   EXPECT_THAT(folder_content(folder("out")),
               UnorderedElementsAre(Key("ocean.c0.0004.exr"), Key("ocean.c0.0005.exr"),
-                                   Key("ocean.c1.0004.exr"), Key("ocean.c1.0005.exr")));
+                                   Key("ocean.c1.0004.exr"), Key("ocean.c1.0005.exr"), Key("ocean.json")));
   const ExrContent image = read_exr(folder("out") / "ocean.c1.0005.exr");
   EXPECT_EQ(image.width, size);
   EXPECT_EQ(image.height, size);
@@ -111,7 +111,8 @@ TEST_F(Bake, WritesTheDocumentedFiles) {
 TEST_F(Bake, CombinesCascadesAsLayers) {
   bake("single", {"--frames", "0:0"});
   bake("combined", {"--frames", "0:0", "--combined"});
-  EXPECT_THAT(folder_content(folder("combined")), UnorderedElementsAre(Key("ocean.0000.exr")));
+  EXPECT_THAT(folder_content(folder("combined")),
+              UnorderedElementsAre(Key("ocean.0000.exr"), Key("ocean.json")));
   const ExrContent combined = read_exr(folder("combined") / "ocean.0000.exr");
   EXPECT_EQ(combined.channels.size(), 2 * default_channels.size());
   for (const std::string cascade : {"c0", "c1"}) {
@@ -159,8 +160,9 @@ TEST_F(Bake, RemovesWhatKilledBakesLeft) {
     std::ofstream(folder("out") / name) << "half";
   }
   bake("out", {"--frames", "0:0"});
-  EXPECT_THAT(file_names(folder("out")), UnorderedElementsAre("ocean.c0.0000.exr", "ocean.c1.0000.exr",
-                                                              ".notes.txt.0123456789abcdef.partial"));
+  EXPECT_THAT(file_names(folder("out")),
+              UnorderedElementsAre("ocean.json", "ocean.c0.0000.exr", "ocean.c1.0000.exr",
+                                   ".notes.txt.0123456789abcdef.partial"));
 }
 
 // Fails if frames depend on how they were shared out, or on what was made before them.
@@ -205,12 +207,13 @@ TEST_F(Bake, ReplacesFramesOfMoreCascades) {
       "ocean",    "bake", "--size",  "32", "--patch-m",           "200", "--fps", "8",
       "--frames", "0:0",  "--force", "-o", folder("out").string()};
   ASSERT_EQ(run_offing(one_cascade).exit_code, 0);
-  EXPECT_THAT(file_names(folder("out")), UnorderedElementsAre("ocean.c0.0000.exr", "ocean.c0.0001.exr",
-                                                              "ocean.c1.0001.exr", "ocean.c2.0000.exr"));
+  EXPECT_THAT(file_names(folder("out")),
+              UnorderedElementsAre("ocean.json", "ocean.c0.0000.exr", "ocean.c0.0001.exr",
+                                   "ocean.c1.0001.exr", "ocean.c2.0000.exr"));
   EXPECT_EQ(file_content(folder("out") / "ocean.c2.0000.exr"), "mine");
   bake("out", {"--frames", "1:1", "--combined", "--force"});
   EXPECT_THAT(file_names(folder("out")),
-              UnorderedElementsAre("ocean.c0.0000.exr", "ocean.0001.exr", "ocean.c2.0000.exr"));
+              UnorderedElementsAre("ocean.json", "ocean.c0.0000.exr", "ocean.0001.exr", "ocean.c2.0000.exr"));
 }
 
 // Fails if the hash overlooks a parameter that changes pixels, or changes with one that does not.
@@ -369,9 +372,9 @@ TEST_F(Bake, TakesFramesFromTheScene) {
                           "cascade_count = 1\n";
   const ProgramResult result = run_offing({"ocean", "bake", scene.string(), "-o", folder("out").string()});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(
-      folder_content(folder("out")),
-      UnorderedElementsAre(Key("ocean.c0.0002.exr"), Key("ocean.c0.0003.exr"), Key("ocean.c0.0004.exr")));
+  EXPECT_THAT(folder_content(folder("out")),
+              UnorderedElementsAre(Key("ocean.json"), Key("ocean.c0.0002.exr"), Key("ocean.c0.0003.exr"),
+                                   Key("ocean.c0.0004.exr")));
 }
 
 // Fails if the summary for scripts is not JSON, or if the shares of energy do not add up to the spectrum's.
