@@ -263,28 +263,42 @@ typedef struct OffingSample {
 OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
                            size_t count, OffingSample* samples);
 
+/** How offing_sample_water() finds the waves of the cascades at a point. Gerstner waves are exact in all. */
+typedef enum OffingAccuracy {
+  OFFING_ACCURACY_AUTOMATIC, /**< exact for a few points, maps for more */
+  OFFING_ACCURACY_EXACT,     /**< the sum over all modes, for each point */
+  OFFING_ACCURACY_MAPS,      /**< splines on fine maps, which are made once for each time */
+  OFFING_ACCURACY_FRAME_MAPS /**< straight lines on the maps of offing_read(): the fastest. Short waves lose a
+                                  quarter of their slopes, and the acceleration is 0. */
+} OffingAccuracy;
+
 /** Settings of offing_sample_water(). NULL stands for zeros: velocity and pressure at the surface, all waves.
  */
 typedef struct OffingWaterQuery {
   size_t size;             /**< sizeof(OffingWaterQuery) */
   double depth_m;          /**< of velocity and pressure, below the moving surface */
   double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
-  int is_surface_only; /**< 1: leaves out velocity and pressure, which are 0 in OffingWater.samples then */
+  int is_surface_only; /**< 1: leaves out velocity, pressure and acceleration, which are 0 in samples then */
+  int accuracy;        /**< an OffingAccuracy */
 } OffingWaterQuery;
 
 /** Where offing_sample_water() writes, an array for each quantity. */
 typedef struct OffingWater {
-  size_t size;         /**< sizeof(OffingWater) */
-  float* height_m;     /**< [count], of the surface */
-  float* normal;       /**< [count][3], of the surface, unit, upward */
-  float* velocity_mps; /**< [count][3], of the water at the query's depth */
-  float* pressure_pa;  /**< [count], there, above that of the air */
-  float* residual_m;   /**< [count], as in OffingSample */
-  float* samples;      /**< [count][8], as offing_sample_water_on_device() writes them: the cheapest */
+  size_t size;              /**< sizeof(OffingWater) */
+  float* height_m;          /**< [count], of the surface */
+  float* normal;            /**< [count][3], of the surface, unit, upward */
+  float* velocity_mps;      /**< [count][3], of the water at the query's depth */
+  float* pressure_pa;       /**< [count], there, above that of the air */
+  float* residual_m;        /**< [count], as in OffingSample */
+  float* samples;           /**< [count][8], as offing_sample_water_on_device() writes them */
+  float* acceleration_mps2; /**< [count][3], of the water at the query's depth */
+  float*
+      error_rms_m; /**< [count], expected root mean square error of the height, beside what residual_m adds */
+  float* full_samples; /**< [count][12], the eight of samples, acceleration and error_rms_m: the cheapest */
 } OffingWater;
 
 /** Samples the water as offing_sample() does, at points [count][2] of x and z in m. It is faster if neither
- * velocity nor pressure is wanted. */
+ * velocity nor pressure nor acceleration is wanted. */
 OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* query, const double* points_m,
                                  size_t count, const OffingWater* water);
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
 #include "host/c/watched_work.h"
@@ -38,8 +40,16 @@ OffingSample to_sample(const offing::ocean::WaterSample& water) {
 /// in a core's nearest cache.
 void write_water(const OffingWater& arrays, std::size_t first,
                  std::span<const offing::ocean::WaterSample> water) {
-  static_assert(sizeof(offing::ocean::WaterSample) == 8 * sizeof(float));
-  if (arrays.samples != nullptr) std::memcpy(arrays.samples + 8 * first, water.data(), water.size_bytes());
+  if (arrays.samples != nullptr) {
+    constexpr std::size_t floats = std::tuple_size_v<offing::ocean::FirstWaterFloats>;
+    for (std::size_t i = 0; i < water.size(); ++i)
+      std::memcpy(arrays.samples + floats * (first + i), &water[i], floats * sizeof(float));
+  }
+  if (arrays.full_samples != nullptr) {
+    constexpr std::size_t floats = 12;
+    static_assert(sizeof(offing::ocean::WaterSample) == floats * sizeof(float));
+    std::memcpy(arrays.full_samples + floats * first, water.data(), water.size_bytes());
+  }
   constexpr std::size_t block = 512;
   for (std::size_t begin = 0; begin < water.size(); begin += block) {
     const std::size_t end = std::min(begin + block, water.size());
@@ -62,6 +72,28 @@ void write_water(const OffingWater& arrays, std::size_t first,
     write_vectors(arrays.velocity_mps, [](const Sample& sample) {
       return std::array{sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps};
     });
+    write_vectors(arrays.acceleration_mps2, [](const Sample& sample) {
+      return std::array{sample.acceleration_x_mps2, sample.acceleration_y_mps2, sample.acceleration_z_mps2};
+    });
+    write(arrays.error_rms_m, [](const Sample& sample) { return sample.error_rms_m; });
+  }
+}
+
+offing::ocean::WaterQuery::Accuracy accuracy_of(int accuracy) {
+  using Accuracy = offing::ocean::WaterQuery::Accuracy;
+  switch (accuracy) {
+    case OFFING_ACCURACY_AUTOMATIC:
+      return Accuracy::automatic;
+    case OFFING_ACCURACY_EXACT:
+      return Accuracy::exact;
+    case OFFING_ACCURACY_MAPS:
+      return Accuracy::maps;
+    case OFFING_ACCURACY_FRAME_MAPS:
+      return Accuracy::frame_maps;
+    default:
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("query.accuracy: expected an OffingAccuracy, found {}", accuracy),
+                  "set it to 0, or to a name of OffingAccuracy");
   }
 }
 
@@ -70,7 +102,8 @@ offing::ocean::WaterQuery query_of(const OffingWaterQuery* given, bool wants_flo
   using Fields = offing::ocean::WaterQuery::Fields;
   return {.depth_m = query.depth_m,
           .min_wavelength_m = query.min_wavelength_m,
-          .fields = wants_flow && query.is_surface_only == 0 ? Fields::surface_and_flow : Fields::surface};
+          .fields = wants_flow && query.is_surface_only == 0 ? Fields::surface_and_flow : Fields::surface,
+          .accuracy = accuracy_of(query.accuracy)};
 }
 
 /// Which component of the velocity a field is, 0 to 2; -1: none.
@@ -251,8 +284,9 @@ OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* que
     require(points_m, "points_m");
     require(water, "water");
     const OffingWater wanted = offing::c::read_struct(water, "water");
-    const bool wants_flow =
-        wanted.velocity_mps != nullptr || wanted.pressure_pa != nullptr || wanted.samples != nullptr;
+    const bool wants_flow = wanted.velocity_mps != nullptr || wanted.pressure_pa != nullptr ||
+                            wanted.samples != nullptr || wanted.acceleration_mps2 != nullptr ||
+                            wanted.full_samples != nullptr;
     static_assert(sizeof(offing::ocean::WaterPoint) == 2 * sizeof(double));
     const std::span places(reinterpret_cast<const offing::ocean::WaterPoint*>(points_m), count);
     world->world.sample(
@@ -274,8 +308,8 @@ OffingStatus offing_sample_water_on_device(OffingWorld* world, const OffingWater
     const offing::ocl::Device& device = world->world.device();
     const auto places =
         offing::ocl::Buffer<SurfaceQueryPoint>::adopt(device, static_cast<cl_mem>(points), "points");
-    auto found = offing::ocl::Buffer<offing::ocean::WaterSample>::adopt(device, static_cast<cl_mem>(samples),
-                                                                        "samples");
+    auto found = offing::ocl::Buffer<offing::ocean::FirstWaterFloats>::adopt(
+        device, static_cast<cl_mem>(samples), "samples");
     world->world.sample(places, count, found, query_of(query, true));
   });
 }

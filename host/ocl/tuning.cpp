@@ -53,6 +53,11 @@ constexpr TuningRow table[] = {
     {"surface_query", vector_cpu, {.shape = simd, .lanes = 16, .group = 1, .per_item = 8}},
     {"surface_query", any, {.shape = workgroup, .per_item = 8}},
 
+    // Water at points by sums over modes. Lanes: columns of modes. Group: work-items that share the columns
+    // of a point; a power of two.
+    {"mode_sums", vector_cpu, {.shape = simd, .lanes = 16, .group = 1}},
+    {"mode_sums", any, {.shape = workgroup, .group = 256}},
+
     // Rays over terrain. Lanes: rays, or the pixels along a side of a work-item's tile.
     {"terrain_rays", vector_cpu, {.shape = simd, .lanes = 16, .group = 1}},
     {"terrain_rays", any, {.shape = workgroup}},

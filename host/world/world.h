@@ -123,6 +123,10 @@ class World {
               ocl::Buffer<ocean::WaterSample>& samples, const ocean::WaterQuery& query = {}) {
     ocean().sample(points, count, samples, query);
   }
+  void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+              ocl::Buffer<ocean::FirstWaterFloats>& samples, const ocean::WaterQuery& query = {}) {
+    ocean().sample(points, count, samples, query);
+  }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
   // changed parameters gives; one that throws has changed nothing, but reseed(), after which a failed device

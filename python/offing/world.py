@@ -22,11 +22,16 @@ FIELDS = (
 )
 
 
+# How sample() finds the waves of the cascades, in the order of OffingAccuracy in offing.h.
+ACCURACIES = ("automatic", "exact", "maps", "frame_maps")
+
+
 class Water:
     """The water at points, float32. All but the normals are parts of one array, as the device writes it.
 
-    height_m [n]: of the surface. velocity_mps [n, 3] and pressure_pa [n], above air pressure: at depth_m; None without
-    flow. residual_m [n]: horizontal distance by which the point was missed; large where the surface folds.
+    height_m [n]: of the surface. velocity_mps [n, 3], pressure_pa [n], above air pressure, and acceleration_mps2 [n, 3]:
+    at depth_m; None without flow. residual_m [n]: horizontal distance by which the point was missed; large where the
+    surface folds. error_rms_m [n]: expected root mean square error of height_m, beside what residual_m adds.
     """
 
     def __init__(self, samples, has_flow):
@@ -34,7 +39,9 @@ class Water:
         self.height_m: np.ndarray = samples[:, 0]
         self.velocity_mps: np.ndarray | None = samples[:, 4:7] if has_flow else None
         self.pressure_pa: np.ndarray | None = samples[:, 7] if has_flow else None
+        self.acceleration_mps2: np.ndarray | None = samples[:, 8:11] if has_flow else None
         self.residual_m: np.ndarray = samples[:, 3]
+        self.error_rms_m: np.ndarray = samples[:, 11]
 
     @functools.cached_property
     def normal(self) -> np.ndarray:
@@ -76,11 +83,16 @@ class World:
         return self._world.time_s
 
     def sample(self, points_m: npt.ArrayLike, *, depth_m: float = 0.0, min_wavelength_m: float = 0.0,
-               flow: bool = True) -> Water:
-        """The Water at points [n, 2] of x and z in m: all cascades and Gerstner waves together. Velocity and pressure are
-        those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves shorter than
-        min_wavelength_m are left out, as for a large hull."""
-        return Water(self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow), flow)
+               flow: bool = True, accuracy: str = "automatic") -> Water:
+        """The Water at points [n, 2] of x and z in m: all cascades and Gerstner waves together. Velocity, pressure and
+        acceleration are those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves
+        shorter than min_wavelength_m are left out, as for a large hull.
+
+        `accuracy` is "exact", the sum over all waves for each point; "maps", splines on fine maps that are made once for
+        each time; "frame_maps", straight lines on the maps of fields(), the fastest, whose short waves lose a quarter of
+        their slopes and whose acceleration is 0; or "automatic": exact for a few points, maps for more."""
+        samples = self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow, _accuracy_of(accuracy))
+        return Water(samples, flow)
 
     @property
     def size(self) -> int:
@@ -118,10 +130,11 @@ class World:
         self._world.copy_field(_number_of(name), buffer, first + offset // 4, cascade)
 
     def sample_on_device(self, points, count: int, samples, *, depth_m: float = 0.0,
-                         min_wavelength_m: float = 0.0) -> None:
+                         min_wavelength_m: float = 0.0, accuracy: str = "automatic") -> None:
         """sample() with arrays or buffers of PyOpenCL, without a transfer or a wait. See
         offing_sample_water_on_device() in offing.h for their layout."""
-        self._world.sample_on_device(_whole_buffer_of(points), count, _whole_buffer_of(samples), depth_m, min_wavelength_m)
+        self._world.sample_on_device(_whole_buffer_of(points), count, _whole_buffer_of(samples), depth_m, min_wavelength_m,
+                                     _accuracy_of(accuracy))
 
     def render(self, width_px: int = 1280, height_px: int = 720, *, light: bool = False) -> np.ndarray:
         """What the scene's camera sees at the time of the last at(), as `offing-view --headless` draws it: uint8
@@ -202,6 +215,13 @@ def _number_of(name):
         return FIELDS.index(name)
     except ValueError:
         raise BadInput(f"field: expected a name in offing.FIELDS, got {name!r}", f"choose from {', '.join(FIELDS)}") from None
+
+
+def _accuracy_of(name):
+    try:
+        return ACCURACIES.index(name)
+    except ValueError:
+        raise ValueError(f"accuracy: expected one of {', '.join(ACCURACIES)}; got {name!r}") from None
 
 
 def _buffer_of(target):

@@ -137,9 +137,10 @@ NB_MODULE(_core, module) {
            "progress"_a.none())
       .def("frame", &World::frame, "time_s"_a)
       .def_prop_ro("time_s", &World::time_s)
-      .def("sample", &World::sample, "points_m"_a, "depth_m"_a, "min_wavelength_m"_a, "wants_flow"_a)
+      .def("sample", &World::sample, "points_m"_a, "depth_m"_a, "min_wavelength_m"_a, "wants_flow"_a,
+           "accuracy"_a)
       .def("sample_on_device", &World::sample_on_device, "points"_a, "count"_a, "samples"_a, "depth_m"_a,
-           "min_wavelength_m"_a)
+           "min_wavelength_m"_a, "accuracy"_a)
       .def_prop_ro("cascade_count", &World::cascade_count)
       .def_prop_ro("map_size", &World::map_size)
       .def("patch_length_m", &World::patch_length_m, "cascade"_a)

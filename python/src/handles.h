@@ -234,11 +234,12 @@ class Scene {
   Owned<OffingScene, offing_free_scene> scene_;
 };
 
-inline OffingWaterQuery query_of(double depth_m, double min_wavelength_m) {
+inline OffingWaterQuery query_of(double depth_m, double min_wavelength_m, int accuracy) {
   OffingWaterQuery query{};
   query.size = sizeof query;
   query.depth_m = depth_m;
   query.min_wavelength_m = min_wavelength_m;
+  query.accuracy = accuracy;
   return query;
 }
 
@@ -262,22 +263,22 @@ class World {
     return time_s;
   }
 
-  /// [n, 8], as offing_sample_water_on_device() writes them.
+  /// [n, 12], as OffingWater.full_samples.
   nb::ndarray<nb::numpy, float> sample(const Rows<2>& points_m, double depth_m, double min_wavelength_m,
-                                       bool wants_flow) {
+                                       bool wants_flow, int accuracy) {
     const std::size_t count = points_m.shape(0);
-    auto samples = new_array<float>({count, 8});
+    auto samples = new_array<float>({count, 12});
     OffingWater water{};
     water.size = sizeof water;
-    water.samples = samples.data();
-    OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
+    water.full_samples = samples.data();
+    OffingWaterQuery query = query_of(depth_m, min_wavelength_m, accuracy);
     query.is_surface_only = wants_flow ? 0 : 1;
     run([&] { return offing_sample_water(get(), &query, points_m.data(), count, &water); });
     return samples;
   }
   void sample_on_device(std::uintptr_t points, std::size_t count, std::uintptr_t samples, double depth_m,
-                        double min_wavelength_m) {
-    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
+                        double min_wavelength_m, int accuracy) {
+    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m, accuracy);
     run([&] {
       return offing_sample_water_on_device(get(), &query, handle_of(points), count, handle_of(samples));
     });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@
 namespace offing::bench {
 namespace {
 
+using Accuracy = ocean::WaterQuery::Accuracy;
 using Fields = ocean::WaterQuery::Fields;
 
 constexpr int wave_count = 16, cascade_count = 2;
@@ -106,11 +108,11 @@ class QueriesPeer {
 #pragma omp parallel for schedule(static)
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
       const std::size_t first = tile * peer::query_tile;
-      peer::query_points(sea_, &points[first].x_m, &samples_[first].height_m);
+      peer::query_points(sea_, &points[first].x_m, samples_[first].data());
     }
   }
 
-  const std::vector<ocean::WaterSample>& samples() const {
+  const std::vector<ocean::FirstWaterFloats>& samples() const {
     return samples_;
   }
 
@@ -118,16 +120,16 @@ class QueriesPeer {
   std::vector<peer::QueryWave> waves_;
   std::vector<peer::QueryCascade> cascades_;
   peer::QuerySea sea_{};
-  std::vector<ocean::WaterSample> samples_;
+  std::vector<ocean::FirstWaterFloats> samples_;
 };
 
 /// Throws Error(device) where the two differ by more than what tolerance and rounding allow: a millimetre.
 void require_equal_heights(const std::vector<ocean::WaterSample>& ours,
-                           const std::vector<ocean::WaterSample>& peers) {
+                           const std::vector<ocean::FirstWaterFloats>& peers) {
   constexpr double gate_m = 1e-3;
   double worst_m = 0.0;
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const double off_m = std::abs(1.0 * ours[i].height_m - peers[i].height_m);
+    const double off_m = std::abs(1.0 * ours[i].height_m - peers[i][0]);
     worst_m = off_m <= worst_m ? worst_m : off_m;  // also where it is not a number
   }
   if (worst_m <= gate_m) return;
@@ -135,6 +137,55 @@ void require_equal_heights(const std::vector<ocean::WaterSample>& ours,
               fmt::format("queries: ours and the peer's differ by {:.3g} m, expected at most {:g} m", worst_m,
                           gate_m),
               "run the tests of this device: ctest -L quick");
+}
+
+/// All points from maps made for queries, and these maps at a new time, both against a frame's maps.
+void bench_maps(const ocl::Device& device, OurSea& ours, std::span<const ocean::WaterPoint> asked, int size,
+                int blocks, const Sinks& sinks) {
+  std::vector<ocean::WaterSample> samples(asked.size());
+  const std::span one(samples.data(), 1);
+  double new_time_s = time_s;
+  const auto sample_at_new_time = [&](const ocean::WaterQuery& query) {
+    ours.sea.at(new_time_s += 0.1);
+    ours.sea.sample(asked.first(1), one, query);
+  };
+  const Work frame = [&] {
+    ours.sea.at(new_time_s += 0.1);
+    ours.sea.displacement_map();
+    device.finish();
+  };
+  for (const Fields fields : {Fields::surface, Fields::surface_and_flow}) {
+    const ocean::WaterQuery maps{.fields = fields, .accuracy = Accuracy::maps};
+    const ocean::WaterQuery of_frame{.fields = fields, .accuracy = Accuracy::frame_maps};
+    const std::string suffix = fields == Fields::surface ? "_surface" : "";
+    sinks.row(row_of("queries_maps" + suffix, size, "a frame's maps, bilinear",
+                     compare([&] { ours.sea.sample(asked, samples, maps); },
+                             [&] { ours.sea.sample(asked, samples, of_frame); }, blocks)));
+    sinks.row(row_of("queries_make_maps" + suffix, size, "a frame",
+                     compare([&] { sample_at_new_time(maps); }, frame, blocks)));
+  }
+}
+
+/// One point at a new time of one cascade, from all its modes, against a frame of it.
+void bench_exact(const ocl::Device& device, const ocean::SeaSpectrum& spectrum, int size, int blocks,
+                 const Sinks& sinks) {
+  constexpr double patch_m[] = {400.0};
+  ocean::Ocean sea(device, spectrum, {.size = size, .cascades = ocean::cascades_from_patches(patch_m, size)});
+  const std::vector<ocean::WaterPoint> point{{12.0, -7.0}};
+  std::vector<ocean::WaterSample> sample(1);
+  double new_time_s = time_s;
+  sinks.row(row_of("queries_exact", size, "a frame",
+                   compare(
+                       [&] {
+                         sea.at(new_time_s += 0.1);
+                         sea.sample(point, sample, {.accuracy = Accuracy::exact});
+                       },
+                       [&] {
+                         sea.at(new_time_s += 0.1);
+                         sea.displacement_map();
+                         device.finish();
+                       },
+                       blocks)));
 }
 
 }  // namespace
@@ -146,7 +197,7 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
   for (const int size : settings.sizes) {
     OurSea ours(device, spectrum, choice_for(spectrum), size);
     for (const Fields fields : {Fields::surface, Fields::surface_and_flow}) {
-      const ocean::WaterQuery query{.fields = fields};
+      const ocean::WaterQuery query{.fields = fields, .accuracy = Accuracy::frame_maps};
       const ocean::SurfaceInstant instant = ours.sea.instant(query);
       QueriesPeer peer(ours, instant, spectrum.dispersion.gravity_mps2, query);
       std::vector<ocean::WaterSample> samples(point_count);
@@ -158,6 +209,8 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
       sinks.row(row_of(fields == Fields::surface ? "queries_surface" : "queries", size,
                        "libmvec loop, 64 points at a time", compare(run_ours, run_peer, settings.blocks)));
     }
+    bench_maps(device, ours, asked, size, settings.blocks, sinks);
+    bench_exact(device, spectrum, size, settings.blocks, sinks);
   }
 }
 

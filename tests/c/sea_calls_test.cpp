@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <thread>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "host/c/offing.h"
+#include "host/ocean/query/water_query.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "tests/c/sized.h"
@@ -49,8 +51,11 @@ TEST_F(SeaCallsTest, FillsTheArraysThatAreWanted) {
   query.min_wavelength_m = 4.0;
   std::array<float, 3> height{}, pressure{}, residual{};
   std::array<float, 9> normal{}, velocity{};
-  const OffingWater all{sizeof all,      height.data(),   normal.data(), velocity.data(),
-                        pressure.data(), residual.data(), nullptr};
+  std::array<float, 3> error{};
+  std::array<float, 9> acceleration{};
+  std::array<float, 36> full{};
+  const OffingWater all{sizeof all,      height.data(), normal.data(),       velocity.data(), pressure.data(),
+                        residual.data(), nullptr,       acceleration.data(), error.data(),    full.data()};
   ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_OK) << offing_last_error();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(height[i], expected[i].height_m);
@@ -59,8 +64,27 @@ TEST_F(SeaCallsTest, FillsTheArraysThatAreWanted) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_EQ(normal[3 * i + axis], expected[i].normal[axis]);
       EXPECT_EQ(velocity[3 * i + axis], expected[i].velocity_mps[axis]);
+      EXPECT_EQ(full[12 * i + 8 + axis], acceleration[3 * i + axis]);
     }
+    EXPECT_NE(acceleration[3 * i + 1], 0.0f);
+    EXPECT_EQ(full[12 * i], height[i]);
+    EXPECT_EQ(full[12 * i + 11], error[i]);
+    EXPECT_GT(error[i], 0.0f);
   }
+  // A caller built before accelerations were there.
+  OffingWater earlier = all;
+  earlier.size = offsetof(OffingWater, acceleration_mps2);
+  acceleration.fill(1.0f);
+  ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &earlier), OFFING_OK);
+  EXPECT_EQ(acceleration[0], 1.0f);
+  // An answer of a frame's maps, and one that there is not.
+  query.accuracy = OFFING_ACCURACY_FRAME_MAPS;
+  ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_OK);
+  EXPECT_EQ(acceleration[1], 0.0f);
+  query.accuracy = 4;
+  EXPECT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_BAD_INPUT);
+  query.accuracy = OFFING_ACCURACY_AUTOMATIC;
+  ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_OK);
   std::array<float, 3> alone{};
   OffingWater height_only{};
   height_only.size = sizeof height_only;
@@ -141,7 +165,7 @@ TEST_F(SeaCallsTest, SamplesOnTheDevice) {
                                               static_cast<cl_command_queue>(offing_device_queue(device())));
   const ocl::Buffer<SurfaceQueryPoint> points(
       same, std::vector<SurfaceQueryPoint>{{0, 0, 1.5f, 2.5f}, {1, -1, 0.0f, 3.0f}}, "points");
-  const ocl::Buffer<ocean::WaterSample> samples(same, 2, "samples");
+  const ocl::Buffer<ocean::FirstWaterFloats> samples(same, 2, "samples");
   ASSERT_EQ(offing_sample_water_on_device(world(), nullptr, points.handle(), 2, samples.handle()), OFFING_OK)
       << offing_last_error();
   const std::vector<double> places{1.5, 2.5, 64.0, -61.0};
@@ -150,9 +174,9 @@ TEST_F(SeaCallsTest, SamplesOnTheDevice) {
   water.size = sizeof water;
   water.height_m = height.data();
   ASSERT_EQ(offing_sample_water(world(), nullptr, places.data(), 2, &water), OFFING_OK);
-  const std::vector<ocean::WaterSample> found = samples.read();
-  EXPECT_EQ(found[0].height_m, height[0]);
-  EXPECT_EQ(found[1].height_m, height[1]);
+  const std::vector<ocean::FirstWaterFloats> found = samples.read();
+  EXPECT_EQ(found[0][0], height[0]);
+  EXPECT_EQ(found[1][0], height[1]);
 }
 
 // Fails if a world on an adopted device is another sea, or a queue out of order is taken.

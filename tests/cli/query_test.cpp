@@ -57,7 +57,7 @@ class Query : public testing::Test {
 
 constexpr const char* header =
     "time_s,x_m,z_m,height_m,normal_x,normal_y,normal_z,velocity_x_mps,velocity_y_mps,velocity_z_mps,"
-    "pressure_pa,residual_m\n";
+    "pressure_pa,residual_m,acceleration_x_mps2,acceleration_y_mps2,acceleration_z_mps2,error_rms_m\n";
 
 // Fails if a column is missing or another's, if times or points are left out or out of order, if the pressure
 // at the surface is not that of the air, or if the way out (file, standard output, JSON) changes an answer.
@@ -71,13 +71,15 @@ TEST_F(Query, ProbesAreRowsOfTimesAndPoints) {
   const auto table = rows(csv);
   ASSERT_EQ(table.size(), 22u);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    ASSERT_EQ(table[i].size(), 12u);
+    ASSERT_EQ(table[i].size(), 16u);
     EXPECT_NEAR(table[i][0], 0.1 * static_cast<double>(i / 2), 1e-9);
     EXPECT_EQ(table[i][1], i % 2 == 0 ? 1.0 : -3.5);
     EXPECT_EQ(table[i][2], i % 2 == 0 ? 2.0 : 1e5);
     EXPECT_NEAR(std::hypot(table[i][4], table[i][5], table[i][6]), 1.0, 1e-5);
     EXPECT_NEAR(table[i][10], 0.0, 0.1) << "Pa";
     EXPECT_LE(table[i][11], 1.1e-4);
+    EXPECT_LT(std::hypot(table[i][12], table[i][13], table[i][14]), 9.81);
+    EXPECT_GT(table[i][15], 0.0);
   }
   const ProgramResult to_output = query({"--points", points, "--times", "0:1:0.1"});
   EXPECT_EQ(to_output.output, csv);
@@ -115,11 +117,30 @@ TEST_F(Query, OneAnswerIsOneObject) {
   for (std::size_t i = 0; i < 3; ++i) {
     expect_near(answer["normal"][i], row[4 + i]);
     expect_near(answer["velocity_mps"][i], row[7 + i]);
+    expect_near(answer["acceleration_mps2"][i], row[12 + i]);
   }
   expect_near(answer["pressure_pa"], row[10]);
   expect_near(answer["residual_m"], row[11]);
+  expect_near(answer["error_rms_m"], row[15]);
   const ProgramResult two_times = query({"--at", "-5,7", "--times", "3:4:1", "--json"});
   EXPECT_TRUE(json::parse(two_times.output, nullptr, false).is_array()) << two_times.output;
+}
+
+// Fails if --exact is not --accuracy exact, or if the answers of a bake's maps are not marked by their larger
+// error.
+TEST_F(Query, AccuracyIsAsked) {
+  const std::vector<std::string> one = {"--at", "-5,7", "--time", "3", "--json"};
+  const auto answer_with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), one.begin(), one.end());
+    const ProgramResult result = query(more);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return json::parse(result.output, nullptr, false);
+  };
+  const json exact = answer_with({"--exact"}), drawn = answer_with({"--accuracy", "frame-maps"});
+  EXPECT_EQ(exact, answer_with({"--accuracy", "exact"}));
+  EXPECT_EQ(exact, answer_with({}));
+  EXPECT_GT(drawn["error_rms_m"].get<double>(), 100.0 * exact["error_rms_m"].get<double>());
+  EXPECT_EQ(query({"--at", "0,0", "--exact", "--accuracy", "maps"}).exit_code, 2);
 }
 
 // Points that can be read once, as a shell's <(...) gives them. Closes with the object; what programs that
@@ -172,8 +193,8 @@ TEST_F(Query, FilterAndDepthReachTheSea) {
   EXPECT_NEAR(answer["height_m"].get<double>(), 0.0, 1e-3);
   EXPECT_NEAR(answer["pressure_pa"].get<double>(), 3.0 * 1025.0 * 9.81, 15.0);
   const ProgramResult words = query({"--at", "-5,7", "--time", "3", "--velocity-depth-m", "3"});
-  for (const char* part :
-       {"at x -5 m, z 7 m, 3 s", "height", "normal", "velocity", "3 m below", "pressure", "residual"})
+  for (const char* part : {"at x -5 m, z 7 m, 3 s", "height", "normal", "velocity", "3 m below", "pressure",
+                           "acceleration", "residual", "expected error"})
     EXPECT_THAT(words.output, HasSubstr(part));
 }
 

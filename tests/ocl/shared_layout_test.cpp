@@ -86,12 +86,14 @@ TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
                           {"tile_x", "tile_z", "x_m", "z_m"}),
       (Layout{sizeof(P), offsetof(P, tile_x), offsetof(P, tile_z), offsetof(P, x_m), offsetof(P, z_m)}));
   using S = SurfaceQuerySample;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQuerySample",
-                                {"height_m", "slope_x", "slope_z", "residual_m", "velocity_x_mps",
-                                 "velocity_y_mps", "velocity_z_mps", "pressure_pa"}),
-            (Layout{sizeof(S), offsetof(S, height_m), offsetof(S, slope_x), offsetof(S, slope_z),
-                    offsetof(S, residual_m), offsetof(S, velocity_x_mps), offsetof(S, velocity_y_mps),
-                    offsetof(S, velocity_z_mps), offsetof(S, pressure_pa)}));
+  EXPECT_EQ(
+      test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQuerySample",
+                          {"height_m", "slope_x", "slope_z", "residual_m", "velocity_x_mps", "velocity_y_mps",
+                           "velocity_z_mps", "pressure_pa", "acceleration_x_mps2", "error_rms_m"}),
+      (Layout{sizeof(S), offsetof(S, height_m), offsetof(S, slope_x), offsetof(S, slope_z),
+              offsetof(S, residual_m), offsetof(S, velocity_x_mps), offsetof(S, velocity_y_mps),
+              offsetof(S, velocity_z_mps), offsetof(S, pressure_pa), offsetof(S, acceleration_x_mps2),
+              offsetof(S, error_rms_m)}));
 }
 
 // Of the waves the first members, some and the last.
@@ -104,12 +106,14 @@ TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
                     offsetof(W, turns_x_perm), offsetof(W, height_m), offsetof(W, shift_x_m),
                     offsetof(W, slope_z), offsetof(W, velocity_y_mps), offsetof(W, band)}));
   using S = SurfaceQueryParams;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQueryParams",
-                                {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m",
-                                 "cascade_count", "ring_count", "has_flow", "tolerance_m"}),
+  EXPECT_EQ(test::device_layout(
+                ocl::Device::open(), "shared/query_params.h", "SurfaceQueryParams",
+                {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m", "cascade_count",
+                 "ring_count", "has_flow", "tolerance_m", "sample_floats", "mode_radius"}),
             (Layout{sizeof(S), offsetof(S, tile_step_high), offsetof(S, tile_step_low),
                     offsetof(S, patches_per_m), offsetof(S, texels_per_m), offsetof(S, cascade_count),
-                    offsetof(S, ring_count), offsetof(S, has_flow), offsetof(S, tolerance_m)}));
+                    offsetof(S, ring_count), offsetof(S, has_flow), offsetof(S, tolerance_m),
+                    offsetof(S, sample_floats), offsetof(S, mode_radius)}));
 }
 
 TEST(SharedLayoutTest, ShoalMap) {

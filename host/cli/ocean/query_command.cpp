@@ -43,7 +43,7 @@ struct QueryArguments {
   ParameterOptions parameters;
   std::string at, points_file, times, output_file;
   SettingOptions<QuerySettings> settings;
-  bool json = false;
+  bool json = false, is_exact = false;
   Existing existing = Existing::keep;
 
   bool writes_file() const { return !output_file.empty() && !is_standard_output(output_file); }
@@ -117,6 +117,7 @@ class AnswerSink {
   void add(const QueryAnswer& answer) {
     ++count_;
     largest_residual_m_ = std::max(largest_residual_m_, answer.sample.residual_m);
+    error_rms_m_ = std::max(error_rms_m_, answer.sample.error_rms_m);
     missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
     if (style_ == Style::csv) {
       append_csv(answer, text_);
@@ -152,6 +153,7 @@ class AnswerSink {
   std::size_t count() const { return count_; }
   std::size_t missed() const { return missed_; }
   float largest_residual_m() const { return largest_residual_m_; }
+  float error_rms_m() const { return error_rms_m_; }
 
  private:
   enum class Style { words, csv, json_object, json_array };
@@ -172,7 +174,7 @@ class AnswerSink {
   std::optional<AtomicFile> file_;
   std::string text_;
   std::size_t count_ = 0, missed_ = 0;
-  float largest_residual_m_ = 0.0f;
+  float largest_residual_m_ = 0.0f, error_rms_m_ = 0.0f;
 };
 
 TimeRange read_times(const QueryArguments& arguments) {
@@ -186,15 +188,22 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
   constexpr auto query = &QuerySettings::query;
   return {{scene::path(query, &ocean::WaterQuery::depth_m),
            velocity_depth_facts(
-               "velocity and pressure at this depth below the moving surface, down to the bed, by "
-               "linear theory with Wheeler stretching")},
+               "velocity, pressure and acceleration at this depth below the moving surface, down to the "
+               "bed, by linear theory with Wheeler stretching")},
           {scene::path(query, &ocean::WaterQuery::min_wavelength_m),
            {.key = "min_wavelength_m",
             .unit = "m",
             .low = 0.0,
             .high = ocean::longest_filter_m,
             .help = "leave out waves shorter than this, which a long hull does not feel",
-            .example = "30"}}};
+            .example = "30"}},
+          {scene::choice(scene::path(query, &ocean::WaterQuery::accuracy),
+                         {"automatic", "exact", "maps", "frame-maps"}),
+           {.key = "accuracy",
+            .help = "exact: sum all waves for each point\nmaps: splines on fine maps, made once for each "
+                    "time\nframe-maps: straight lines on the maps of a bake; short waves lose a quarter "
+                    "of their slopes, and there is no acceleration\nautomatic: exact for up to 16 points, "
+                    "else maps"}}};
 }
 
 void answer(ocean::Ocean& sea, const ocean::WaterQuery& query, const TimeRange& times, PointSource& points,
@@ -226,6 +235,7 @@ nlohmann::ordered_json summary_json(const QueryArguments& arguments, const ocean
           {"depth_m", query.depth_m},
           {"min_wavelength_m", query.min_wavelength_m},
           {"largest_residual_m", shortest_decimals(sink.largest_residual_m())},
+          {"error_rms_m", shortest_decimals(sink.error_rms_m())},
           {"scene_hash", hash}};
 }
 
@@ -245,7 +255,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const scene::Sea sea = scene::prepare_sea(scene);
   warn_of_water_left_out(scene, "answers");
   const NarrowedRange water{.flag = "--velocity-depth-m", .high = sea.spectrum.dispersion.depth_m};
-  const ocean::WaterQuery query = arguments.settings.read({}, water).query;
+  ocean::WaterQuery query = arguments.settings.read({}, water).query;
+  if (arguments.is_exact) query.accuracy = ocean::WaterQuery::Accuracy::exact;
   PointSource points(arguments, times);
   AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
@@ -260,8 +271,10 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
     return;
   }
   if (arguments.json) {
-    const std::string hash = scene::scene_hash(
-        scene, sea, fmt::format("query depth {:.17g} from {:.17g}", query.depth_m, query.min_wavelength_m));
+    const std::string hash =
+        scene::scene_hash(scene, sea,
+                          fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
+                                      query.min_wavelength_m, static_cast<int>(query.accuracy)));
     fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
   } else {
     print_summary("{} samples written: {}\n", sink.count(), arguments.output_file);
@@ -273,8 +286,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
 void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
-  CLI::App* command =
-      ocean.add_subcommand("query", "compute height, normal, velocity and pressure of the water at points");
+  CLI::App* command = ocean.add_subcommand(
+      "query", "compute height, normal, velocity, pressure and acceleration of the water at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
@@ -286,6 +299,9 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--times", arguments->times, "A:B:DT", "several times, in s: A, A + DT, ... up to B")
       ->excludes(command->get_option("--time"));
   arguments->settings.add_to(*command, flow_rows(), group);
+  command->add_flag("--exact", arguments->is_exact, "the same as --accuracy exact")
+      ->excludes(command->get_option("--accuracy"))
+      ->group(group);
   add("-o,--output", arguments->output_file, "FILE",
       "CSV file to write, complete or not at all (- or default: standard output)");
   add_force_flag(*command, arguments->existing)->group(group);
@@ -299,7 +315,8 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   command->footer(R"(
 Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the
 point or, under folding crests, where it cannot get closer: residual_m is the distance that is left.
-Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure,
+error_rms_m is the expected root mean square error of heights, from the spectrum and from how the waves are
+found; choppy crests that fold are not in it. Acceleration is that of linear theory, as is velocity. Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure,
 but not velocity. Samples are sorted by time, and at each time keep the order of the points.
 
 Examples:

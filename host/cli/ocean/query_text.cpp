@@ -12,7 +12,7 @@ namespace offing::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> columns = {"time_s",
+constexpr std::array<std::string_view, 16> columns = {"time_s",
                                                       "x_m",
                                                       "z_m",
                                                       "height_m",
@@ -23,9 +23,13 @@ constexpr std::array<std::string_view, 12> columns = {"time_s",
                                                       "velocity_y_mps",
                                                       "velocity_z_mps",
                                                       "pressure_pa",
-                                                      "residual_m"};
+                                                      "residual_m",
+                                                      "acceleration_x_mps2",
+                                                      "acceleration_y_mps2",
+                                                      "acceleration_z_mps2",
+                                                      "error_rms_m"};
 
-std::array<double, 12> values_of(const QueryAnswer& answer) {
+std::array<double, columns.size()> values_of(const QueryAnswer& answer) {
   const ocean::WaterSample& sample = answer.sample;
   const auto [x, y, z] = ocean::normal_of(sample);
   return {answer.time_s,
@@ -39,7 +43,11 @@ std::array<double, 12> values_of(const QueryAnswer& answer) {
           sample.velocity_y_mps,
           sample.velocity_z_mps,
           sample.pressure_pa,
-          sample.residual_m};
+          sample.residual_m,
+          sample.acceleration_x_mps2,
+          sample.acceleration_y_mps2,
+          sample.acceleration_z_mps2,
+          sample.error_rms_m};
 }
 
 /// As many decimals; what they do not tell from 0 has no sign.
@@ -65,7 +73,7 @@ std::string csv_header() {
 }
 
 void append_csv(const QueryAnswer& answer, std::string& text) {
-  const std::array<double, 12> values = values_of(answer);
+  const auto values = values_of(answer);
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{:.10g},{:.12g},{:.12g}", values[0], values[1], values[2]);
   for (std::size_t i = 3; i < values.size(); ++i) {
@@ -86,7 +94,11 @@ nlohmann::ordered_json to_json(const QueryAnswer& answer) {
            {shortest_decimals(sample.velocity_x_mps), shortest_decimals(sample.velocity_y_mps),
             shortest_decimals(sample.velocity_z_mps)}},
           {"pressure_pa", shortest_decimals(sample.pressure_pa)},
-          {"residual_m", shortest_decimals(sample.residual_m)}};
+          {"residual_m", shortest_decimals(sample.residual_m)},
+          {"acceleration_mps2",
+           {shortest_decimals(sample.acceleration_x_mps2), shortest_decimals(sample.acceleration_y_mps2),
+            shortest_decimals(sample.acceleration_z_mps2)}},
+          {"error_rms_m", shortest_decimals(sample.error_rms_m)}};
 }
 
 std::string query_text(const QueryAnswer& answer, double depth_m) {
@@ -101,10 +113,14 @@ std::string query_text(const QueryAnswer& answer, double depth_m) {
       "  normal    {} (x, y up, z)\n"
       "  velocity  {} m/s, {:g} m below the surface\n"
       "  pressure  {} Pa, there\n"
-      "  residual  {:.2g} m\n",
+      "  acceleration  {} m/s^2, there\n"
+      "  residual  {:.2g} m\n"
+      "  expected error  {:.2g} m\n",
       answer.point.x_m, answer.point.z_m, answer.time_s, fixed_text(sample.height_m, 4), vector(x, y, z),
       vector(sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps), depth_m,
-      fixed_text(sample.pressure_pa, 1), sample.residual_m);
+      fixed_text(sample.pressure_pa, 1),
+      vector(sample.acceleration_x_mps2, sample.acceleration_y_mps2, sample.acceleration_z_mps2),
+      sample.residual_m, sample.error_rms_m);
 }
 
 }  // namespace offing::cli

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/ocean/query/mode_fields.h"
 #include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/surface/device_gerstner_waves.h"
 #include "host/ocean/surface/wave_clock.h"
@@ -83,6 +84,7 @@ std::vector<SurfaceQueryWave> pack_waves(const GerstnerSea& sea, const WaterQuer
                       .velocity_z_mps = static_cast<float>(flow.along_mps * sine),
                       .head_m = static_cast<float>(flow.head_m),
                       .velocity_y_mps = static_cast<float>(flow.up_mps),
+                      .omega_radps = static_cast<float>(rate * clock.radps_per_rate()),
                       .band = bands ? bands->gerstner_band(k) : 0});
   }
   return packed;
@@ -101,7 +103,7 @@ std::vector<GerstnerRingInTile> pack_rings(const GerstnerSea& sea, const WaterQu
   return packed;
 }
 
-SurfaceQueryParams pack_params(const QueriedSea& sea, const WaterQuery& query) {
+SurfaceQueryParams pack_params(const QueriedSea& sea, const WaterQuery& query, int sample_floats) {
   SurfaceQueryParams params{};
   for (const Cascade& cascade : sea.cascades) {
     // Cascades go from long waves to short ones: those that hold none of the waves asked for come last.
@@ -113,12 +115,19 @@ SurfaceQueryParams pack_params(const QueriedSea& sea, const WaterQuery& query) {
     params.tile_step_low[i] = std::bit_cast<std::int32_t>(static_cast<std::uint32_t>((step - high) * 0x1p32));
     params.patches_per_m[i] = static_cast<float>(1.0 / length_m);
     params.texels_per_m[i] = static_cast<float>(sea.size / length_m);
+    params.mode_radius[i] = static_cast<float>(mode_radius(cascade, query.min_wavelength_m));
   }
   params.size = sea.size;
-  params.has_flow = sea.flow ? 1 : 0;
+  params.has_flow = query.fields == WaterQuery::Fields::surface_and_flow ? 1 : 0;
   params.depth_m = static_cast<float>(query.depth_m);
   params.weight_papm = static_cast<float>(query.density_kgpm3 * sea.dispersion.gravity_mps2);
   params.tolerance_m = static_cast<float>(query.tolerance_m);
+  params.error_rms_m = static_cast<float>(sea.error_rms_m);
+  params.sample_floats = sample_floats;
+  if (const auto* sums = std::get_if<ModeSums>(&sea.source)) params.columns = sums->columns;
+  if (const auto* splines = std::get_if<SplineMaps>(&sea.source)) {
+    std::copy(splines->scales.begin(), splines->scales.end(), params.map_scales);
+  }
   return params;
 }
 
@@ -142,6 +151,7 @@ void write_changed(const ocl::Device& device, std::vector<T>&& values, std::vect
 }  // namespace
 
 SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
+  const auto& maps = std::get<FrameMaps>(sea.source);
   std::vector<SurfaceInstant::Maps> cascades;
   const std::size_t floats = 4 * static_cast<std::size_t>(sea.size) * static_cast<std::size_t>(sea.size);
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
@@ -151,9 +161,9 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
       return values;
     };
     cascades.push_back({.patch_length_m = sea.cascades[i].patch_length_m,
-                        .displacement = read(sea.displacement),
-                        .gradient = read(sea.gradient),
-                        .flow = sea.flow ? read(*sea.flow) : std::vector<float>{}});
+                        .displacement = read(maps.displacement),
+                        .gradient = read(maps.gradient),
+                        .flow = maps.flow ? read(*maps.flow) : std::vector<float>{}});
   }
   return {std::move(cascades),
           sea.size,
@@ -168,21 +178,31 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
     : device_(device),
       tuning_(ocl::tuning_for(device.info(), "surface_query")),
-      kernel_(make_kernel(Depths::none)) {}
+      sum_tuning_(ocl::tuning_for(device.info(), "mode_sums")) {}
 
-ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
-  ocl::Defines defines;
-  defines.set("LANES", tuning_.lanes).set("VECTORS", tuning_.per_item);
-  if (depths == Depths::shoals) defines.set("SHOALS", 1);
-  return ocl::Program::build(device_, "ocean/surface_query.cl", defines).kernel("surface_query");
+const ocl::Kernel& SurfaceQuery::kernel_for(const QueriedSea& sea) {
+  const auto source = static_cast<int>(sea.source.index());
+  const auto* maps = std::get_if<SplineMaps>(&sea.source);
+  const int map_fields = maps ? maps->map_fields : 0;
+  const auto [entry, is_new] = kernels_.try_emplace({source, map_fields, sea.shoals ? 1 : 0});
+  if (is_new) {
+    const ocl::KernelTuning& tuning = source == QUERY_MODES ? sum_tuning_ : tuning_;
+    ocl::Defines defines;
+    defines.set("SOURCE", source).set("LANES", tuning.lanes).set("VECTORS", tuning.per_item);
+    if (maps) defines.set("MAP_FIELDS", map_fields);
+    if (source == QUERY_MODES) defines.set("GROUP", static_cast<int>(tuning.group));
+    if (sea.shoals) defines.set("SHOALS", 1);
+    entry->second = ocl::Program::build(device_, "ocean/surface_query.cl", defines).kernel("surface_query");
+  }
+  return entry->second;
 }
 
-void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query) {
+void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query, int sample_floats) {
   const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
   std::vector<SurfaceQueryWave> waves = pack_waves(
       sea.gerstner_waves, query, clock, sea.shoals ? &sea.shoals->instant().table.bands() : nullptr);
   std::vector<GerstnerRingInTile> rings = pack_rings(sea.gerstner_waves, query, sea.time_s);
-  SurfaceQueryParams params = pack_params(sea, query);
+  SurfaceQueryParams params = pack_params(sea, query, sample_floats);
   params.wave_count = static_cast<int>(waves.size());
   params.ring_count = static_cast<int>(rings.size());
   write_changed(device_, std::move(waves), waves_, waves_buffer_, "queried waves");
@@ -190,26 +210,48 @@ void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query) {
   write_changed(device_, std::vector{params}, params_, params_buffer_, "query");
 }
 
+template <class Sample>
+void SurfaceQuery::enqueue(const QueriedSea& sea, const WaterQuery& query,
+                           const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                           ocl::Buffer<Sample>& samples) {
+  if (count == 0) return;
+  upload(sea, query, static_cast<int>(sizeof(Sample) / sizeof(float)));
+  const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
+  const WaveTime time = clock.at(sea.time_s);
+  const ocl::Kernel& kernel = kernel_for(sea);
+  const auto launch_with = [&](const ocl::LaunchShape& shape, const auto&... source) {
+    const auto launch = [&](const auto&... shoals) {
+      kernel.launch(shape, points, source..., waves_buffer_, rings_buffer_, sea.wakes.maps(),
+                    sea.wakes.layers(), static_cast<int>(sea.wakes.count()), shoals..., params_buffer_,
+                    static_cast<int>(count), time.ticks, time.tick_fraction, samples);
+    };
+    if (sea.shoals == nullptr) {
+      launch();
+    } else {
+      launch(sea.shoals->map(), sea.shoals->depths_m(), sea.shoals->shares());
+    }
+  };
+  const ocl::LaunchShape shape = ocl::launch_shape(tuning_, count);
+  // Without flow a map that is there stands in for it, unread.
+  if (const auto* frame = std::get_if<FrameMaps>(&sea.source)) {
+    launch_with(shape, frame->displacement, frame->gradient, frame->flow ? *frame->flow : frame->gradient);
+  } else if (const auto* splines = std::get_if<SplineMaps>(&sea.source)) {
+    launch_with(shape, splines->map);
+  } else {
+    launch_with({{count * sum_tuning_.group}, {sum_tuning_.group}}, std::get<ModeSums>(sea.source).fields);
+  }
+}
+
 void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
                           const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
                           ocl::Buffer<WaterSample>& samples) {
-  if (count == 0) return;
-  upload(sea, query);
-  const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
-  const WaveTime time = clock.at(sea.time_s);
-  // Without flow a map that is there stands in for it, unread.
-  const auto launch = [&](const ocl::Kernel& kernel, const auto&... shoals) {
-    kernel.launch(ocl::launch_shape(tuning_, count), points, sea.displacement, sea.gradient,
-                  sea.flow ? *sea.flow : sea.gradient, waves_buffer_, rings_buffer_, sea.wakes.maps(),
-                  sea.wakes.layers(), static_cast<int>(sea.wakes.count()), shoals..., params_buffer_,
-                  static_cast<int>(count), time.ticks, time.tick_fraction, samples);
-  };
-  if (sea.shoals == nullptr) {
-    launch(kernel_);
-    return;
-  }
-  if (!over_shoals_) over_shoals_ = make_kernel(Depths::shoals);
-  launch(*over_shoals_, sea.shoals->map(), sea.shoals->depths_m(), sea.shoals->shares());
+  enqueue(sea, query, points, count, samples);
+}
+
+void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
+                          const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                          ocl::Buffer<FirstWaterFloats>& samples) {
+  enqueue(sea, query, points, count, samples);
 }
 
 void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,

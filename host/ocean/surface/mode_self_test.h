@@ -12,9 +12,16 @@ namespace offing::ocean {
 
 /// The relative root mean square errors of a transform by ocean/spectrum_advance.cl and
 /// ocean/surface_assemble.cl, added up over its four pairs of fields.
-double surface_self_test(const ocl::Device& device, ModeTransform& transform, int size);
+double surface_self_test(const ocl::Device& device, ModeTransform& transform, const ModeTransform::Grid& grid,
+                         const ModeTransform::Request& request);
 
 /// The same of ocean/velocity_advance.cl and ocean/velocity_assemble.cl, of two pairs.
-double velocity_self_test(const ocl::Device& device, ModeTransform& transform, int size);
+double velocity_self_test(const ocl::Device& device, ModeTransform& transform,
+                          const ModeTransform::Grid& grid, const ModeTransform::Request& request);
+
+/// The largest such error of the fields of ocean/query_map_columns.cl and ocean/query_map_rows.cl, without a
+/// filter.
+double query_map_self_test(const ocl::Device& device, ModeTransform& transform,
+                           const ModeTransform::Grid& grid, const ModeTransform::Request& request);
 
 }  // namespace offing::ocean

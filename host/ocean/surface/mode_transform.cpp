@@ -6,8 +6,8 @@
 namespace offing::ocean {
 namespace {
 
-fft::PlanRequest plan_request(int size, const ModeTransform::Request& request) {
-  return {.size = size, .columns = size / 2, .result_fields = request.pair_fields};
+fft::PlanRequest plan_request(const ModeTransform::Grid& grid, const ModeTransform::Request& request) {
+  return {.size = grid.size, .columns = grid.columns, .result_fields = request.pair_fields};
 }
 
 // First pass, second pass.
@@ -15,7 +15,11 @@ std::vector<ocl::ProgramRecipe> programs_of(const fft::FftPlan& plan, int column
                                             const ModeTransform::Request& request) {
   std::vector<ocl::ProgramRecipe> programs{{request.first_source, plan.columns().defines},
                                            {request.second_source, plan.rows().defines}};
-  for (ocl::ProgramRecipe& program : programs) program.defines.set("SPECTRUM_COLUMNS", columns);
+  for (ocl::ProgramRecipe& program : programs) {
+    program.defines.set("SPECTRUM_COLUMNS", columns);
+    if (request.mode_rows == 0) continue;
+    program.defines.set("MODE_ROWS", request.mode_rows).set("MAP_FIELDS", request.half_fields);
+  }
   return programs;
 }
 
@@ -23,24 +27,26 @@ std::vector<ocl::ProgramRecipe> programs_of(const fft::FftPlan& plan, int column
 
 ocl::KernelShape ModeTransform::family_for(const ocl::Device& device, Grid grid, const Request& request) {
   grid.cascade_count = 1;
-  const fft::PlanRequest plan = plan_request(grid.size, request);
+  const fft::PlanRequest plan = plan_request(grid, request);
   const auto programs = [&](ocl::KernelShape family) {
     return programs_of(fft::FftPlan(device.info(), plan, family), grid.columns, request);
   };
   const auto error_of = [&](ocl::KernelShape family) {
     ModeTransform transform(device, grid, request, family);
-    return request.self_test(device, transform, grid.size);
+    return request.self_test(device, transform, grid, request);
   };
   return fft::sound_family(device, plan, {.programs = programs, .error_of = error_of});
 }
 
 ModeTransform::ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request)
-    : ModeTransform(device, {modes.size(), modes.columns(), modes.cascade_count()}, request,
-                    family_for(device, {modes.size(), modes.columns(), modes.cascade_count()}, request)) {}
+    : ModeTransform(device, Grid{modes.size(), modes.columns(), modes.cascade_count()}, request) {}
+
+ModeTransform::ModeTransform(const ocl::Device& device, const Grid& grid, const Request& request)
+    : ModeTransform(device, grid, request, family_for(device, grid, request)) {}
 
 ModeTransform::ModeTransform(const ocl::Device& device, const Grid& grid, const Request& request,
                              ocl::KernelShape family) {
-  const fft::FftPlan plan(device.info(), plan_request(grid.size, request), family);
+  const fft::FftPlan plan(device.info(), plan_request(grid, request), family);
   const std::vector<ocl::ProgramRecipe> programs = programs_of(plan, grid.columns, request);
   const auto kernel_of = [&device](const ocl::ProgramRecipe& program, std::string_view name) {
     return ocl::Program::build(device, program.source_name, program.defines).kernel(name);

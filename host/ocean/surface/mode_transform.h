@@ -15,25 +15,32 @@ namespace offing::ocean {
 /// 0; the second makes `pair_fields` pairs of real fields from them (O10).
 class ModeTransform {
  public:
+  /// Samples along a side, and the columns with kx >= 0 that carry waves: as WaveModes says, if the transform
+  /// has as many rows as the modes.
+  struct Grid {
+    int size, columns, cascade_count;
+  };
+
   /// Which kernels, for how many fields.
   struct Request {
     std::string_view first_source, first_kernel;    ///< "ocean/spectrum_advance.cl", "spectrum_advance"
     std::string_view second_source, second_kernel;  ///< "ocean/surface_assemble.cl", "surface_assemble"
     int half_fields = 0;
     int pair_fields = 0;
+    /// Of the modes, where they are not those of the transform: the kernels' MODE_ROWS, which come with
+    /// MAP_FIELDS for half_fields.
+    int mode_rows = 0;
     /// The relative error of a transform of one cascade against a reference on the host, such as
     /// surface_self_test(): what decides about the family of kernels (see host/fft/sound_family.h).
-    double (*self_test)(const ocl::Device& device, ModeTransform& transform, int size) = nullptr;
-  };
-
-  /// Of what WaveModes says.
-  struct Grid {
-    int size, columns, cascade_count;
+    double (*self_test)(const ocl::Device& device, ModeTransform& transform, const Grid& grid,
+                        const Request& request) = nullptr;
   };
 
   /// Takes the family of kernels that suits the device best and passes the self-test. Throws Error(device) if
   /// none does.
   ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request);
+  /// The same for another grid than that of the modes.
+  ModeTransform(const ocl::Device& device, const Grid& grid, const Request& request);
   /// Takes this family, untested.
   ModeTransform(const ocl::Device& device, const Grid& grid, const Request& request, ocl::KernelShape family);
 

@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
+#include "host/ocean/query/query_waves.h"
 #include "host/ocean/query/surface_query.h"
 #include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
@@ -149,6 +150,7 @@ struct Ocean::State {
         dispersion(spectrum.dispersion),
         modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
         surface(device, modes, parameters.choppiness),
+        query_waves(device, parameters.cascades, parameters.choppiness, dispersion),
         wakes(std::make_shared<const WakeMaps>(device)) {
     modes.draw(parameters.seed);
   }
@@ -192,7 +194,11 @@ struct Ocean::State {
     return velocity->velocity();
   }
 
-  QueriedSea queried(const WaterQuery& query);
+  /// The waves that a query of so many points counts, at time_s.
+  QueriedSea queried(const WaterQuery& query, std::size_t count);
+  /// The same from a frame's maps.
+  FrameMaps frame_maps(const WaterQuery& query);
+  void enqueue_sample(const auto& points, std::size_t count, auto& samples, const WaterQuery& query);
 
   ocl::Device device;
   OceanParameters parameters;
@@ -200,6 +206,7 @@ struct Ocean::State {
   double time_s = 0.0;
   WaveModes modes;
   SurfaceMaps surface;
+  QueryWaves query_waves;
   std::shared_ptr<const WakeMaps> wakes;  // never none
   std::shared_ptr<const Shoals> shoals;   // none: the open sea
   bool surface_is_current = false;        // whether `surface` is that of time_s
@@ -214,9 +221,7 @@ struct Ocean::State {
   std::optional<SurfaceQuery> query;
 };
 
-/// The maps of the waves that a query counts, at time_s.
-QueriedSea Ocean::State::queried(const WaterQuery& wanted) {
-  require_valid_query(wanted, std::min(dispersion.depth_m, parameters.gerstner_waves.dispersion.depth_m));
+FrameMaps Ocean::State::frame_maps(const WaterQuery& wanted) {
   const bool wants_flow = wanted.fields == WaterQuery::Fields::surface_and_flow;
   const bool counts_all =
       parameters.cascades.back().k_max_radpm <= largest_wavenumber_radpm(wanted.min_wavelength_m);
@@ -233,11 +238,21 @@ QueriedSea Ocean::State::queried(const WaterQuery& wanted) {
     }
   }
   const SurfaceMaps& maps = counts_all ? surface : long_waves->surface();
-  return {.displacement = maps.displacement(),
-          .gradient = maps.gradient(),
-          .flow = flow,
+  return {.displacement = maps.displacement(), .gradient = maps.gradient(), .flow = flow};
+}
+
+QueriedSea Ocean::State::queried(const WaterQuery& wanted, std::size_t count) {
+  require_valid_query(wanted, std::min(dispersion.depth_m, parameters.gerstner_waves.dispersion.depth_m));
+  using Accuracy = WaterQuery::Accuracy;
+  Accuracy accuracy = wanted.accuracy;
+  if (accuracy == Accuracy::automatic) {
+    accuracy = count <= most_exact_points ? Accuracy::exact : Accuracy::maps;
+  }
+  return {.source = accuracy == Accuracy::frame_maps ? QueryWaves::Source(frame_maps(wanted))
+                                                     : query_waves.at(modes, time_s, wanted, accuracy),
           .cascades = parameters.cascades,
-          .size = parameters.size,
+          .size = query_waves.size(modes, wanted, accuracy),
+          .error_rms_m = query_waves.error_rms_m(modes, parameters.gerstner_waves, wanted, accuracy),
           .gerstner_waves = parameters.gerstner_waves,
           .wakes = *wakes,
           .shoals = shoals.get(),
@@ -259,7 +274,6 @@ void Ocean::at(double time_s) {
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   state_->time_s = time_s;
   state_->surface_is_current = false;
-  state_->current_surface();
 }
 
 void Ocean::set_gerstner_waves(const GerstnerSea& gerstner_waves) {
@@ -465,23 +479,32 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
   return fields;
 }
 
-void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                   ocl::Buffer<WaterSample>& samples, const WaterQuery& query) {
-  State& state = *state_;
+void Ocean::State::enqueue_sample(const auto& points, std::size_t count, auto& samples,
+                                  const WaterQuery& wanted) {
   if (points.size() < count || samples.size() < count) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("sample: expected buffers of {} points and samples, found {} and {}", count,
                             points.size(), samples.size()),
                 "make both buffers as large as the number of points");
   }
-  const QueriedSea sea = state.queried(query);
-  if (!state.query) state.query.emplace(state.device);
-  state.query->sample(sea, query, points, count, samples);
+  const QueriedSea sea = queried(wanted, count);
+  if (!query) query.emplace(device);
+  query->sample(sea, wanted, points, count, samples);
+}
+
+void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                   ocl::Buffer<WaterSample>& samples, const WaterQuery& query) {
+  state_->enqueue_sample(points, count, samples, query);
+}
+
+void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                   ocl::Buffer<FirstWaterFloats>& samples, const WaterQuery& query) {
+  state_->enqueue_sample(points, count, samples, query);
 }
 
 void Ocean::sample(std::span<const WaterPoint> points, const TakeSamples& take, const WaterQuery& query) {
   State& state = *state_;
-  const QueriedSea sea = state.queried(query);
+  const QueriedSea sea = state.queried(query, points.size());
   if (!state.query) state.query.emplace(state.device);
   state.query->sample(sea, query, points, take);
 }
@@ -509,7 +532,9 @@ std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const
 }
 
 SurfaceInstant Ocean::instant(const WaterQuery& query) {
-  return read_instant(state_->queried(query), query);
+  WaterQuery of_frame = query;
+  of_frame.accuracy = WaterQuery::Accuracy::frame_maps;
+  return read_instant(state_->queried(of_frame, 0), of_frame);
 }
 
 std::vector<float> Ocean::mode_variance(int cascade) const {
@@ -524,6 +549,7 @@ void Ocean::reseed(std::uint64_t seed, const GerstnerSea& gerstner_waves) {
   if (state.foam) state.foam->reset();
   if (state.velocity) state.velocity->reset();
   if (state.long_waves) state.long_waves->reset();
+  state.query_waves.reset();
   state.parameters.seed = seed;
   state.modes.draw(seed);
 }

@@ -88,8 +88,8 @@ struct ComposedFields {
 /// reachable at any time. read_composed(), sample() and instant() have all waves; maps, foam, velocity and
 /// variances are those of the cascades alone.
 ///
-/// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every
-/// device within 1e-4 Hs. Before the first at() the time is 0.
+/// at() sets the time; read_*() wait and copy to the host. Same seed and parameters give the same sea on
+/// every device within 1e-4 Hs. Before the first at() the time is 0.
 ///
 /// read_*() and mode_variance() throw Error(bad_input) for a cascade that there is not. Every call may throw
 /// Error(out_of_memory) or Error(device); a read after an at() or read_*() that failed is right or fails too.
@@ -104,8 +104,8 @@ class Ocean {
 
   const OceanParameters& parameters() const;
 
-  /// Enqueues the surface maps of all cascades at time_s. Throws Error(bad_input) unless |time_s| <= 1e8,
-  /// three years.
+  /// Sets the time. What is asked for then is enqueued at its first use: sums over modes need no maps. Throws
+  /// Error(bad_input) unless |time_s| <= 1e8, three years.
   void at(double time_s);
 
   /// Changes Gerstner waves, swells and raindrops from now on. Throws what require_valid_gerstner_waves()
@@ -180,7 +180,11 @@ class Ocean {
   /// Error(bad_usage) if a buffer holds fewer. A point that is not finite gets a residual that is not either.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<WaterSample>& samples, const WaterQuery& query = {});
-  /// The same sea at the time of the last at() in host memory, for single points without the device.
+  /// The same with samples that end with the pressure.
+  void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+              ocl::Buffer<FirstWaterFloats>& samples, const WaterQuery& query = {});
+  /// The same sea at the time of the last at() in host memory, for single points without the device: from a
+  /// frame's maps, as WaterQuery::Accuracy::frame_maps reads them.
   SurfaceInstant instant(const WaterQuery& query = {});
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.

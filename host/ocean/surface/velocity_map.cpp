@@ -10,6 +10,10 @@ namespace {
 constexpr double bottomless_m = 1e6;
 }  // namespace
 
+float finite_depth_m(double water_depth_m) {
+  return static_cast<float>(std::min(water_depth_m, bottomless_m));
+}
+
 ModeTransform::Request velocity_request() {
   return {.first_source = "ocean/velocity_advance.cl",
           .first_kernel = "velocity_advance",
@@ -21,8 +25,7 @@ ModeTransform::Request velocity_request() {
 }
 
 VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m)
-    : transform_(device, modes, velocity_request()),
-      water_depth_m_(static_cast<float>(std::min(water_depth_m, bottomless_m))) {
+    : transform_(device, modes, velocity_request()), water_depth_m_(finite_depth_m(water_depth_m)) {
   const auto n = static_cast<std::size_t>(modes.size());
   velocity_ =
       ocl::Buffer<float>(device, 4 * n * n * static_cast<std::size_t>(modes.cascade_count()), "velocity map");

@@ -7,6 +7,9 @@
 
 namespace offing::ocean {
 
+/// The water's depth as the kernels read it: finite where the water has no bed.
+float finite_depth_m(double water_depth_m);
+
 /// The kernels of VelocityMap.
 ModeTransform::Request velocity_request();
 

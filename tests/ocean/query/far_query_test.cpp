@@ -19,9 +19,9 @@ namespace {
 TEST(FarQuery, DeviceAndHostAgreeAlsoFarAway) {
   HybridSea hybrid = hybrid_sea(ocl::Device::open(), 256);
   hybrid.ocean.at(321.7);
-  for (const WaterQuery& query :
-       {WaterQuery{}, WaterQuery{.depth_m = 2.0}, WaterQuery{.min_wavelength_m = 9.0},
-        WaterQuery{.fields = WaterQuery::Fields::surface}}) {
+  for (WaterQuery query : {WaterQuery{}, WaterQuery{.depth_m = 2.0}, WaterQuery{.min_wavelength_m = 9.0},
+                           WaterQuery{.fields = WaterQuery::Fields::surface}}) {
+    query.accuracy = WaterQuery::Accuracy::frame_maps;
     const SurfaceInstant instant = hybrid.ocean.instant(query);
     for (const WaterPoint& centre :
          {WaterPoint{}, WaterPoint{1e5, -1e5}, WaterPoint{-farthest_point_m + 1e3, 12345.6}}) {
@@ -96,7 +96,7 @@ TEST(FarQuery, FindsHighWavesAtTheFarthestPoints) {
 TEST(FarQuery, DoesNotJitterFarAway) {
   HybridSea hybrid = hybrid_sea(ocl::Device::open(), 256);
   hybrid.ocean.at(3.0);
-  const WaterQuery query{.tolerance_m = 1e-5};
+  const WaterQuery query{.tolerance_m = 1e-5, .accuracy = WaterQuery::Accuracy::frame_maps};
   const SurfaceInstant instant = hybrid.ocean.instant(query);
   std::vector<WaterPoint> points;
   for (int i = 0; i < 4000; ++i) points.push_back({1e5 + 1e-3 * i, 1e5 - 7e-4 * i});

@@ -111,12 +111,13 @@ TEST_F(ShoalsTest, ScaleEachCascadeByItsShare) {
   sea.ocean.set_gerstner_waves({});
   sea.ocean.at(30.0);
   const SurfaceFields first = sea.ocean.read_surface(0);
-  const auto open = sea.ocean.sample(points);
+  const WaterQuery query{.accuracy = WaterQuery::Accuracy::frame_maps};
+  const auto open = sea.ocean.sample(points, query);
   for (const double depth_m : {1.0, 3.0, 8.0}) {
     const std::array<double, SHOAL_BANDS> shares = table.at(depth_m);
     ASSERT_GT(std::abs(shares[0] - shares[1]), 0.005);
     sea.ocean.set_shoals(std::make_shared<const Shoals>(device_, flat(depth_m), table));
-    const auto found = sea.ocean.sample(points);
+    const auto found = sea.ocean.sample(points, query);
     double worst_m = 0.0, most_short_m = 0.0, most_long_m = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double long_m = first.displacement_y[37 * i], short_m = open[i].height_m - long_m;
@@ -137,7 +138,7 @@ TEST_F(ShoalsTest, QueriesAreThoseOfTheReference) {
     HybridSea sea = hybrid_sea(device_, 128);
     lay(sea, beach(slope));
     sea.ocean.at(11.0);
-    const WaterQuery query{.depth_m = 0.0, .tolerance_m = 1e-5};
+    const WaterQuery query{.depth_m = 0.0, .tolerance_m = 1e-5, .accuracy = WaterQuery::Accuracy::frame_maps};
     const SurfaceInstant reference = sea.ocean.instant(query);
     std::vector<WaterPoint> points = scattered_points(300, 1600.0);
     points.push_back({0.0, 0.0});

@@ -84,7 +84,7 @@ TEST(WakeCompositionTest, QueriesSeeTheWakes) {
     sea.ocean.set_wakes(wakes.maps());
     std::vector<WaterPoint> points = scattered_points(500, 100.0);
     for (WaterPoint& point : points) point = {point.x_m + place.x_m, point.z_m + place.z_m};
-    const WaterQuery query{.depth_m = 0.7, .tolerance_m = 1e-5};
+    const WaterQuery query{.depth_m = 0.7, .tolerance_m = 1e-5, .accuracy = WaterQuery::Accuracy::frame_maps};
     const std::vector<WaterSample> samples = sea.ocean.sample(points, query);
     const SurfaceInstant instant = sea.ocean.instant(query);
     sea.ocean.set_wakes(nullptr);
