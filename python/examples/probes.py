@@ -24,9 +24,8 @@ scene = offing.Scene(
 )
 sea = offing.World(scene)
 
-# The probes lie on samples of the map, because interpolation removes energy from short waves. They are at least two
-# peak wavelengths apart.
-places_m = np.arange(8) * 192.0
+# The probes are at least two peak wavelengths apart.
+places_m = np.arange(8) * 190.0
 points_m = np.stack(np.meshgrid(places_m, places_m), axis=-1).reshape(-1, 2)
 elevation_m = np.stack([sea.at(step * STEP_S).sample(points_m, flow=False).height_m for step in range(STEPS)])
 
