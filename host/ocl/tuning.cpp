@@ -143,7 +143,9 @@ std::string_view current_value(std::string_view shape) {
   static std::once_flag warned;
   for (const auto& [earlier, value] : earlier_values) {
     if (shape != earlier) continue;
-    std::call_once(warned, [&] { spdlog::warn("OFFING_SHAPE={} is now OFFING_SHAPE={}", earlier, value); });
+    std::call_once(warned, [&earlier = earlier, &value = value] {
+      spdlog::warn("OFFING_SHAPE={} is now OFFING_SHAPE={}", earlier, value);
+    });
     return value;
   }
   return shape;
