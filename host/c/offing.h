@@ -344,6 +344,9 @@ OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingFie
  * gets n * n floats from index `first` on. Foam and velocity cannot be copied so: use offing_read(). */
 OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
                                size_t first);
+/** Writes the waves that the sea is the sum of, as `offing ocean modes` does: NetCDF where the file's name
+ * ends in .nc, else CSV. An existing file is replaced. The scene key ocean.modes_file reads it again. */
+OffingStatus offing_write_modes(OffingWorld* world, const char* file);
 
 /* Terrain. The north-west post of a map is at x = z = 0. Heights are those of the map. Results are in double
  * precision unless a call states its accuracy. */

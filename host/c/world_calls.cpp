@@ -12,6 +12,7 @@
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
 #include "host/c/watched_work.h"
+#include "host/io/modes/mode_file.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/world/cloud_grower.h"
@@ -355,5 +356,13 @@ OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField fiel
                   "read these with offing_read()");
     }
     ocean.copy_field(cascade, surface_field(field), values, first);
+  });
+}
+
+OffingStatus offing_write_modes(OffingWorld* world, const char* file) {
+  return run([&] {
+    const Use use(world, "world");
+    require(file, "file");
+    offing::write_modes(file, world->world.ocean().modes());
   });
 }

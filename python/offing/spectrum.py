@@ -34,7 +34,8 @@ class Spectrum:
 
     @classmethod
     def read(cls, file: str | os.PathLike) -> "list[Spectrum]":
-        """All spectra of a file, as a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, also compressed by gzip."""
+        """All spectra of a file, as a list: NDBC, WAVEWATCH III, SWAN, Datawell, TRIAXYS, Octopus, Spotter or
+        NetCDF, as wavespectra writes it too, also compressed by gzip."""
         spectra = _core.Spectra.read(file)
         return [cls(spectra, index) for index in range(len(spectra))]
 
@@ -118,11 +119,11 @@ class Spectrum:
     def to_xarray(spectra: "Spectrum | list[Spectrum]"):
         """A data set as wavespectra has it: efth (time, freq, dir) in m^2/Hz/degree. `dir` is where waves come from, in
         degrees clockwise from north. `spectra` is a Spectrum, or a list on one grid. Needs xarray."""
-        import xarray as xr
-
         spectra = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
         if not spectra:
             raise BadInput("spectra: expected at least one, got none", "pass a Spectrum, or a list of them")
+        import xarray as xr
+
         first = spectra[0]
         for other in spectra[1:]:
             if not (np.array_equal(other.frequencies_hz, first.frequencies_hz)

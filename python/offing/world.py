@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import os
 from collections.abc import Callable, Iterable
 
 import numpy as np
@@ -128,6 +129,11 @@ class World:
                                f"got {target.size} of {target.dtype}",
                                f"make one with pyopencl.array.empty(queue, {room}, numpy.float32)")
         self._world.copy_field(_number_of(name), buffer, first + offset // 4, cascade)
+
+    def write_modes(self, file: str | os.PathLike) -> None:
+        """Writes the waves that the sea is the sum of: NetCDF where the name ends in ".nc", which xarray reads, else CSV.
+        A scene with {"ocean": {"modes_file": file}} has the same sea."""
+        self._world.write_modes(str(file))
 
     def sample_on_device(self, points, count: int, samples, *, depth_m: float = 0.0,
                          min_wavelength_m: float = 0.0, accuracy: str = "automatic") -> None:

@@ -145,6 +145,7 @@ NB_MODULE(_core, module) {
       .def_prop_ro("map_size", &World::map_size)
       .def("patch_length_m", &World::patch_length_m, "cascade"_a)
       .def("read_fields", &World::read_fields, "fields"_a, "cascade"_a)
+      .def("write_modes", &World::write_modes, "file"_a)
       .def("copy_field", &World::copy_field, "field"_a, "buffer"_a, "first"_a, "cascade"_a);
   bind_mesh(module);
   bind_terrain(module);

@@ -308,6 +308,9 @@ class World {
       return offing_copy_field(get(), cascade, static_cast<OffingField>(field), handle_of(buffer), first);
     });
   }
+  void write_modes(const std::string& file) {
+    run([&] { return offing_write_modes(get(), file.c_str()); });
+  }
   OffingWorld* get() const { return world_.get(); }
 
  private:

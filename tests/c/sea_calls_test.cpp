@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -18,6 +19,7 @@
 #include "host/ocl/device.h"
 #include "tests/c/sized.h"
 #include "tests/c/small_sea.h"
+#include "tests/io/temporary_folder.h"
 
 namespace offing {
 namespace {
@@ -136,6 +138,30 @@ TEST_F(SeaCallsTest, ReadsFieldsTogether) {
     const float xx = together[7][texel], xz = together[8][texel], zz = together[9][texel];
     EXPECT_NEAR(together[5][texel], (1.0f + xx) * (1.0f + zz) - xz * xz, 1e-5f);
   }
+}
+
+// Fails if the sea of the waves that are written is another one; their amplitudes are floats of the device.
+TEST_F(SeaCallsTest, WritesTheWavesOfTheSea) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "sea.csv").string();
+  ASSERT_EQ(offing_write_modes(world(), file.c_str()), OFFING_OK) << offing_last_error();
+  OffingScene* scene = nullptr;
+  OffingWorld* again = nullptr;
+  ASSERT_EQ(
+      offing_parse_scene(("version = 1\n[ocean]\nmodes_file = \"" + file + "\"\n").c_str(), nullptr, &scene),
+      OFFING_OK);
+  ASSERT_EQ(offing_make_world(device(), scene, &again), OFFING_OK) << offing_last_error();
+  const OffingPoint point{12.0, -7.0};
+  OffingSample expected{}, found{};
+  const OffingQuery query{};
+  for (const auto& [sea, sample] : {std::pair(world(), &expected), std::pair(again, &found)}) {
+    EXPECT_EQ(offing_frame(sea, 77.25), OFFING_OK);
+    EXPECT_EQ(offing_sample(sea, &query, &point, 1, sample), OFFING_OK);
+  }
+  EXPECT_NEAR(found.height_m, expected.height_m, 1e-5);
+  offing_free_world(again);
+  offing_free_scene(scene);
+  EXPECT_NE(offing_write_modes(world(), "/no/such/folder/a.nc"), OFFING_OK);
 }
 
 // Fails if a field on the device is not that on the host, or begins elsewhere.

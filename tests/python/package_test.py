@@ -4,6 +4,7 @@ import math
 import pathlib
 import pickle
 import signal
+import tempfile
 import threading
 import types
 import unittest
@@ -58,6 +59,15 @@ class WorldTest(unittest.TestCase):
         self.assertFalse(np.array_equal(self.world.field("displacement_y"), before))
         np.testing.assert_array_equal(first, before)
         first[:] = 0.0
+
+    # Fails if the waves that are written make another sea. Their amplitudes are float32.
+    def test_waves_make_the_same_sea(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sea.nc"
+            self.world.write_modes(file)
+            again = offing.World({"ocean": {"modes_file": str(file)}}, device=self.device)
+        expected = self.world.at(40.0).field("displacement_y")
+        np.testing.assert_allclose(again.at(40.0).field("displacement_y"), expected, atol=1e-5)
 
     # Fails if points of another type, order or library's array are refused or misread.
     def test_takes_points_of_any_array(self):

@@ -8,6 +8,7 @@ void add_ocean_command(CLI::App& app, GlobalOptions& options) {
   add_bake_command(*ocean, options);
   add_stats_command(*ocean, options);
   add_query_command(*ocean, options);
+  add_modes_command(*ocean, options);
   add_spectrum_command(*ocean, options);
 }
 

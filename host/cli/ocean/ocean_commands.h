@@ -4,7 +4,7 @@
 
 namespace offing::cli {
 
-/// `offing ocean bake | stats | query | spectrum`. `options` must outlive the application.
+/// `offing ocean bake | stats | query | modes | spectrum`. `options` must outlive the application.
 void add_ocean_command(CLI::App& app, GlobalOptions& options);
 
 /// `offing ocean bake [SCENE] -o DIR`: frames of ocean maps as OpenEXR.
@@ -15,6 +15,9 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options);
 
 /// `offing ocean query [SCENE] --at X,Z --time T | --points FILE --times A:B:DT [-o FILE]`.
 void add_query_command(CLI::App& ocean, GlobalOptions& options);
+
+/// `offing ocean modes [SCENE] -o FILE`: the waves that a sea is the sum of.
+void add_modes_command(CLI::App& ocean, GlobalOptions& options);
 
 /// `offing ocean spectrum FILE`: lists, draws and exports measured spectra.
 void add_spectrum_command(CLI::App& ocean, GlobalOptions& options);

@@ -13,16 +13,19 @@
 
 #include "host/base/error.h"
 #include "host/base/progress.h"
+#include "host/base/utc_time.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/ocean/query_settings.h"
 #include "host/cli/ocean/query_text.h"
+#include "host/cli/ocean/series_file.h"
 #include "host/cli/ocean/water_left_out.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
 #include "host/io/number_table.h"
 #include "host/scene/file/scene_hash.h"
 #include "host/scene/prepare/sea.h"
@@ -47,6 +50,7 @@ struct QueryArguments {
   Existing existing = Existing::keep;
 
   bool writes_file() const { return !output_file.empty() && !is_standard_output(output_file); }
+  bool writes_netcdf() const { return writes_file() && lower_extension(output_file) == ".nc"; }
 };
 
 /// The points of the command: one, or those of a file, in blocks.
@@ -60,14 +64,24 @@ class PointSource {
     file_.emplace(arguments.points_file, NumberColumns{.names = {"x_m", "z_m"},
                                                        .meaning = "for each point, its x and z in m",
                                                        .example = "12.5,-40"});
-    if (times.count > 1 && !file_->can_rewind()) {
+    // NetCDF begins with the number of points.
+    const std::int64_t readings = times.count + (arguments.writes_netcdf() ? 1 : 0);
+    if (readings > 1 && !file_->can_rewind()) {
       throw Error(
           ErrorKind::bad_usage,
           fmt::format(
               "--points: expected a file that can be read {} times, found one that can be read only once: {}",
-              times.count, arguments.points_file),
-          "write the points to a file first, or ask for one time");
+              readings, arguments.points_file),
+          "write the points to a file first, or ask for one time as CSV");
     }
+  }
+
+  /// Reads all of them, and goes back to the first.
+  std::size_t count() {
+    std::size_t count = 0;
+    for (auto block = next(); !block.empty(); block = next()) count += block.size();
+    rewind();
+    return count;
   }
 
   /// Back to the first point. What was not read yet is not rewound: a pipe cannot be.
@@ -97,14 +111,15 @@ class PointSource {
   bool is_at_start_ = true;
 };
 
-/// Where answers go: a file that appears when all are there, or standard output; as CSV, as JSON or in words.
+/// Where answers go: a file that appears when all are there, or standard output; as CSV, NetCDF, JSON or in
+/// words.
 class AnswerSink {
  public:
-  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m, GivenInputs inputs)
-      : depth_m_(depth_m), style_(style_of(arguments, times)) {
-    if (arguments.writes_file()) {
-      inputs.names.push_back(arguments.points_file);
-      require_new(arguments.output_file, arguments.existing, inputs);
+  AnswerSink(const QueryArguments& arguments, const TimeRange& times, const SeriesFile::Facts& facts)
+      : depth_m_(facts.depth_m), style_(style_of(arguments, times)) {
+    if (style_ == Style::netcdf) {
+      series_.emplace(arguments.output_file, arguments.existing, facts);
+    } else if (arguments.writes_file()) {
       file_.emplace(arguments.output_file, arguments.existing);
     }
     if (style_ == Style::csv) {
@@ -119,7 +134,9 @@ class AnswerSink {
     largest_residual_m_ = std::max(largest_residual_m_, answer.sample.residual_m);
     error_rms_m_ = std::max(error_rms_m_, answer.sample.error_rms_m);
     missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
-    if (style_ == Style::csv) {
+    if (series_) {
+      series_->add(answer);
+    } else if (style_ == Style::csv) {
       append_csv(answer, text_);
     } else if (style_ == Style::json_object) {
       text_ += to_json(answer).dump(2) + '\n';
@@ -132,7 +149,9 @@ class AnswerSink {
 
   /// Passes on what was added.
   void flush() {
-    if (file_) {
+    if (series_) {
+      series_->flush();
+    } else if (file_) {
       file_->write(text_);
     } else {
       fmt::print("{}", text_);
@@ -145,7 +164,9 @@ class AnswerSink {
       text_ += "\n]\n";
     }
     flush();
-    if (file_) {
+    if (series_) {
+      series_->finish();
+    } else if (file_) {
       file_->commit();
     }
   }
@@ -156,11 +177,11 @@ class AnswerSink {
   float error_rms_m() const { return error_rms_m_; }
 
  private:
-  enum class Style { words, csv, json_object, json_array };
+  enum class Style { words, csv, netcdf, json_object, json_array };
 
   static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
     if (arguments.writes_file()) {
-      return Style::csv;
+      return arguments.writes_netcdf() ? Style::netcdf : Style::csv;
     }
     const bool is_single = arguments.points_file.empty() && times.count == 1;
     if (arguments.json) {
@@ -172,6 +193,7 @@ class AnswerSink {
   double depth_m_;
   Style style_;
   std::optional<AtomicFile> file_;
+  std::optional<SeriesFile> series_;
   std::string text_;
   std::size_t count_ = 0, missed_ = 0;
   float largest_residual_m_ = 0.0f, error_rms_m_ = 0.0f;
@@ -239,6 +261,14 @@ nlohmann::ordered_json summary_json(const QueryArguments& arguments, const ocean
           {"scene_hash", hash}};
 }
 
+/// The moment that times of the sea count from: when the sun stands where the scene has it, else that of the
+/// measured record, else the epoch of Unix, as no better one is known.
+std::string time_origin(const scene::Scene& scene, const scene::Sea& sea) {
+  std::optional<UtcTime> origin = scene.view.sun_time_utc;
+  if (!origin && sea.measured) origin = parse_iso_time(sea.measured->time_utc);
+  return iso_time(origin.value_or(from_unix_seconds(0))).value_or("");
+}
+
 void run(const QueryArguments& arguments, const GlobalOptions& options) {
   if (arguments.at.empty() == arguments.points_file.empty()) {
     throw Error(ErrorKind::bad_usage,
@@ -257,8 +287,21 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const NarrowedRange water{.flag = "--velocity-depth-m", .high = sea.spectrum.dispersion.depth_m};
   ocean::WaterQuery query = arguments.settings.read({}, water).query;
   if (arguments.is_exact) query.accuracy = ocean::WaterQuery::Accuracy::exact;
+  if (arguments.writes_file()) {
+    GivenInputs inputs = arguments.parameters.inputs(scene);
+    inputs.names.push_back(arguments.points_file);
+    require_new(arguments.output_file, arguments.existing, inputs);
+  }
+  const std::string hash = scene::scene_hash(
+      scene, sea, fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
+                              query.min_wavelength_m, static_cast<int>(query.accuracy)));
   PointSource points(arguments, times);
-  AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
+  AnswerSink sink(arguments, times,
+                  {.points = arguments.writes_netcdf() ? points.count() : 0,
+                   .time_origin = time_origin(scene, sea),
+                   .depth_m = query.depth_m,
+                   .min_wavelength_m = query.min_wavelength_m,
+                   .scene_hash = hash});
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
   answer(ocean, query, times, points, sink, options);
@@ -271,10 +314,6 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
     return;
   }
   if (arguments.json) {
-    const std::string hash =
-        scene::scene_hash(scene, sea,
-                          fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
-                                      query.min_wavelength_m, static_cast<int>(query.accuracy)));
     fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
   } else {
     print_summary("{} samples written: {}\n", sink.count(), arguments.output_file);
@@ -303,7 +342,8 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
       ->excludes(command->get_option("--accuracy"))
       ->group(group);
   add("-o,--output", arguments->output_file, "FILE",
-      "CSV file to write, complete or not at all (- or default: standard output)");
+      "file to write, complete or not at all: NetCDF with CF names (.nc), else CSV (- or default: CSV to "
+      "standard output)");
   add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,
@@ -322,6 +362,7 @@ but not velocity. Samples are sorted by time, and at each time keep the order of
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3
   offing ocean query scenes/storm.toml --points probes.csv --times 0:600:0.1 -o probes_out.csv
+  offing ocean query scenes/storm.toml --points probes.csv --times 0:600:0.1 -o probes_out.nc
   offing ocean query --wind-speed-mps 15 --at 0,0 --times 0:60:0.5 --min-wavelength-m 40 --json)");
   command->callback([arguments, &options] { run(*arguments, options); });
 }

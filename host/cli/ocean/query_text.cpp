@@ -6,49 +6,53 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace offing::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> columns = {"time_s",
-                                                      "x_m",
-                                                      "z_m",
-                                                      "height_m",
-                                                      "normal_x",
-                                                      "normal_y",
-                                                      "normal_z",
-                                                      "velocity_x_mps",
-                                                      "velocity_y_mps",
-                                                      "velocity_z_mps",
-                                                      "pressure_pa",
-                                                      "residual_m",
-                                                      "acceleration_x_mps2",
-                                                      "acceleration_y_mps2",
-                                                      "acceleration_z_mps2",
-                                                      "error_rms_m"};
-
-std::array<double, columns.size()> values_of(const QueryAnswer& answer) {
-  const ocean::WaterSample& sample = answer.sample;
-  const auto [x, y, z] = ocean::normal_of(sample);
-  return {answer.time_s,
-          answer.point.x_m,
-          answer.point.z_m,
-          sample.height_m,
-          x,
-          y,
-          z,
-          sample.velocity_x_mps,
-          sample.velocity_y_mps,
-          sample.velocity_z_mps,
-          sample.pressure_pa,
-          sample.residual_m,
-          sample.acceleration_x_mps2,
-          sample.acceleration_y_mps2,
-          sample.acceleration_z_mps2,
-          sample.error_rms_m};
+/// Component of the unit normal.
+template <std::size_t axis>
+double normal(const QueryAnswer& answer) {
+  return ocean::normal_of(answer.sample)[axis];
 }
+
+/// A number of the sample.
+template <float ocean::WaterSample::*field>
+double sampled(const QueryAnswer& answer) {
+  return answer.sample.*field;
+}
+
+using Sample = ocean::WaterSample;
+constexpr std::array<AnswerColumn, 16> columns{{
+    {"time_s", "s", "time", "time of the sea", 10, [](const QueryAnswer& answer) { return answer.time_s; }},
+    {"x_m", "m", "", "distance of the point east of the origin", 12,
+     [](const QueryAnswer& answer) { return answer.point.x_m; }},
+    {"z_m", "m", "", "distance of the point south of the origin", 12,
+     [](const QueryAnswer& answer) { return answer.point.z_m; }},
+    {"height_m", "m", "sea_surface_height_above_mean_sea_level", "height of the surface", 7,
+     sampled<&Sample::height_m>},
+    {"normal_x", "1", "", "unit normal of the surface, east", 7, normal<0>},
+    {"normal_y", "1", "", "unit normal of the surface, up", 7, normal<1>},
+    {"normal_z", "1", "", "unit normal of the surface, south", 7, normal<2>},
+    {"velocity_x_mps", "m s-1", "eastward_sea_water_velocity", "velocity of the water, east", 7,
+     sampled<&Sample::velocity_x_mps>},
+    {"velocity_y_mps", "m s-1", "upward_sea_water_velocity", "velocity of the water, up", 7,
+     sampled<&Sample::velocity_y_mps>},
+    {"velocity_z_mps", "m s-1", "", "velocity of the water, south", 7, sampled<&Sample::velocity_z_mps>},
+    {"pressure_pa", "Pa", "sea_water_pressure_due_to_sea_water", "pressure relative to the air", 7,
+     sampled<&Sample::pressure_pa>},
+    {"residual_m", "m", "", "horizontal distance of the sample from the point", 7,
+     sampled<&Sample::residual_m>},
+    {"acceleration_x_mps2", "m s-2", "", "rate of the velocity where the water is at rest, east", 7,
+     sampled<&Sample::acceleration_x_mps2>},
+    {"acceleration_y_mps2", "m s-2", "", "rate of the velocity where the water is at rest, up", 7,
+     sampled<&Sample::acceleration_y_mps2>},
+    {"acceleration_z_mps2", "m s-2", "", "rate of the velocity where the water is at rest, south", 7,
+     sampled<&Sample::acceleration_z_mps2>},
+    {"error_rms_m", "m", "", "expected error of the height, root mean square", 7,
+     sampled<&Sample::error_rms_m>},
+}};
 
 /// As many decimals; what they do not tell from 0 has no sign.
 std::string fixed_text(double value, int decimals) {
@@ -68,16 +72,22 @@ double shortest_decimals(float value) {
   return number + 0.0;
 }
 
+std::span<const AnswerColumn> answer_columns() {
+  return columns;
+}
+
 std::string csv_header() {
-  return fmt::format("{}\n", fmt::join(columns, ","));
+  std::string text;
+  for (const AnswerColumn& column : columns)
+    text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+  return text + '\n';
 }
 
 void append_csv(const QueryAnswer& answer, std::string& text) {
-  const auto values = values_of(answer);
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:.10g},{:.12g},{:.12g}", values[0], values[1], values[2]);
-  for (std::size_t i = 3; i < values.size(); ++i) {
-    fmt::format_to(out, ",{:.7g}", values[i] + 0.0);  // -0 becomes 0
+  for (const AnswerColumn& column : columns) {
+    const double value = column.value(answer) + 0.0;  // -0 becomes 0
+    fmt::format_to(out, "{}{:.{}g}", &column == columns.data() ? "" : ",", value, column.digits);
   }
   text += '\n';
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -14,6 +16,20 @@ struct QueryAnswer {
   ocean::WaterPoint point;
   ocean::WaterSample sample{};
 };
+
+/// A column of the answers, in CSV and as a variable of NetCDF.
+struct AnswerColumn {
+  std::string_view name;           ///< with its unit
+  std::string_view unit;           ///< as UDUNITS has it
+  std::string_view standard_name;  ///< of the CF conventions, empty where they have none
+  std::string_view meaning;
+  int digits;  ///< that CSV gives
+  double (*value)(const QueryAnswer& answer);
+};
+
+/// Time, x and z of the point, then what was answered.
+std::span<const AnswerColumn> answer_columns();
+inline constexpr std::size_t place_columns = 3;
 
 /// The double of the shortest decimals that give this float again, so that JSON has these alone; never -0.
 double shortest_decimals(float value);

@@ -5,7 +5,8 @@
 namespace offing::spectra {
 namespace {
 
-constexpr NetcdfModule table{.parse_netcdf = parse_netcdf};
+constexpr NetcdfModule table{
+    .parse_netcdf = parse_netcdf, .read_variables = read_netcdf_variables, .create = create_netcdf};
 
 }  // namespace
 }  // namespace offing::spectra

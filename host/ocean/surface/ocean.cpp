@@ -148,7 +148,8 @@ struct Ocean::State {
       : device(opened),
         parameters(checked(requested)),
         dispersion(spectrum.dispersion),
-        modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
+        modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s,
+              parameters.modes.get()),
         surface(device, modes, parameters.choppiness),
         query_waves(device, parameters.cascades, parameters.choppiness, dispersion),
         wakes(std::make_shared<const WakeMaps>(device)) {
@@ -540,6 +541,26 @@ SurfaceInstant Ocean::instant(const WaterQuery& query) {
 std::vector<float> Ocean::mode_variance(int cascade) const {
   state_->first_texel(cascade);
   return state_->modes.variance(cascade);
+}
+
+ModalSea Ocean::modes() const {
+  const OceanParameters& parameters = state_->parameters;
+  ModalSea sea{.modes = state_->modes.list(),
+               .size = parameters.size,
+               .split_radpm = parameters.cascades.front().k_min_radpm,
+               .choppiness = parameters.choppiness,
+               .depth_m = state_->dispersion.depth_m,
+               .loop_period_s = parameters.loop_period_s};
+  for (const Cascade& cascade : parameters.cascades) sea.patch_lengths_m.push_back(cascade.patch_length_m);
+  const GerstnerInstant gerstner(parameters.gerstner_waves, 0.0);
+  for (const GerstnerInstant::Wave& wave : gerstner.waves()) {
+    sea.modes.push_back({.amplitude_m = wave.amplitude_m,
+                         .kx_radpm = wave.kx_radpm,
+                         .kz_radpm = wave.kz_radpm,
+                         .omega_radps = wave.omega_radps,
+                         .phase_rad = wave.phase_rad});
+  }
+  return sea;
 }
 
 void Ocean::reseed(std::uint64_t seed, const GerstnerSea& gerstner_waves) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/sea/modal_sea.h"
 #include "host/ocean/query/shoals.h"
 #include "host/ocean/query/surface_instant.h"
 #include "host/ocean/query/water_query.h"
@@ -38,6 +39,9 @@ struct OceanParameters {
   std::optional<double> loop_period_s = {};  ///< the surface repeats exactly after this time
   FoamParameters foam = {};
   GerstnerSea gerstner_waves = {};  ///< those below the cascades' k_split, swells, raindrops
+  /// The waves of the cascades themselves, in place of random ones of the spectrum; their patches are the
+  /// cascades', in the same order. Waves alone are not taken from here.
+  std::shared_ptr<const ModalSea> modes = {};
 };
 
 /// One cascade's surface in host memory, each field [n][n] row-major, row = z, column = x.
@@ -189,6 +193,8 @@ class Ocean {
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;
+  /// The waves that this sea is: those of the cascades and Gerstner waves; not rings, wakes and shoals.
+  ModalSea modes() const;
   /// Draws a new sea of the same spectrum: all that is read from now on is of it, at the time of the last
   /// at(). Gerstner waves are drawn from the spectrum by the same seed: give those of the new sea. Throws
   /// what require_valid_gerstner_waves() throws, and has changed nothing then.

@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/spectrum/spectrum_table.h"
+#include "host/ocean/surface/mode_lattice.h"
 #include "host/ocl/program.h"
 #include "kernels/shared/mode_layout.h"
 #include "kernels/shared/ocean_params.h"
@@ -46,12 +47,14 @@ void require_loop_resolves(double loop_period_s, double highest_hz) {
 }  // namespace
 
 WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
-                     std::span<const Cascade> cascades, int size, std::optional<double> loop_period_s)
+                     std::span<const Cascade> cascades, int size, std::optional<double> loop_period_s,
+                     const ModalSea* given)
     : device_(device),
       cascades_(cascades.begin(), cascades.end()),
       size_(size),
       columns_(std::max(size / 2, MODE_BLOCK_COLUMNS)),
-      clock_(fastest_hz(spectrum.dispersion, cascades, size), loop_period_s) {
+      clock_(fastest_hz(spectrum.dispersion, cascades, size), loop_period_s),
+      is_given_(given != nullptr) {
   if (loop_period_s) require_loop_resolves(*loop_period_s, fastest_hz(spectrum.dispersion, cascades, size));
   const auto n = static_cast<std::size_t>(size);
   const SpectrumTable table = tabulate(spectrum);
@@ -75,8 +78,16 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
   }
   initial_ = ocl::Program::build(device, "ocean/spectrum_initial.cl").kernel("spectrum_initial");
   const std::size_t modes = cascades_.size() * mode_plane_size(columns_, size);
-  amplitude_ = ocl::Buffer<float>(device, 4 * modes, "wave amplitudes");
-  rate_ = ocl::Buffer<std::uint32_t>(device, rates(spectrum.dispersion), "wave frequencies");
+  ModeArrays arrays{.amplitude = {}, .rate = rates(spectrum.dispersion)};
+  if (given) {
+    arrays.amplitude.resize(4 * modes);
+    const auto variances = place_modes(*given, {cascades_, size_, columns_}, clock_, arrays);
+    for (std::size_t i = 0; i < variances.size(); ++i) variance_[i].write(variances[i]);
+    amplitude_ = ocl::Buffer<float>(device, arrays.amplitude, "wave amplitudes");
+  } else {
+    amplitude_ = ocl::Buffer<float>(device, 4 * modes, "wave amplitudes");
+  }
+  rate_ = ocl::Buffer<std::uint32_t>(device, arrays.rate, "wave frequencies");
   wavenumber_step_ = ocl::Buffer<float>(device, steps, "wavenumber steps");
 }
 
@@ -99,6 +110,7 @@ std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const 
 }
 
 void WaveModes::draw(std::uint64_t seed) {
+  if (is_given_) return;
   const std::array<std::uint32_t, 2> seed_words{static_cast<std::uint32_t>(seed),
                                                 static_cast<std::uint32_t>(seed >> 32)};
   for (int cascade = 0; cascade < cascade_count(); ++cascade) {
@@ -106,6 +118,10 @@ void WaveModes::draw(std::uint64_t seed) {
                     variance_[static_cast<std::size_t>(cascade)], size_, seed_words, cascade, amplitude_,
                     columns_);
   }
+}
+
+std::vector<SeaMode> WaveModes::list() const {
+  return list_modes({amplitude_.read(), rate_.read()}, {cascades_, size_, columns_}, clock_);
 }
 
 std::vector<float> WaveModes::variance(int cascade) const {

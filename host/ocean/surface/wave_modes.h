@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "host/base/sea/modal_sea.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/surface/cascades.h"
 #include "host/ocean/surface/wave_clock.h"
@@ -13,16 +15,20 @@
 
 namespace offing::ocean {
 
-/// The random modes of every cascade on the device: what a sea is before a time is chosen.
+/// The modes of every cascade on the device, random or given: what a sea is before a time is chosen.
 class WaveModes {
  public:
   /// Throws Error(bad_input) if the fastest wave makes more than 2^22 cycles in the loop: its phase would
-  /// move in steps of more than 2^-6 turns.
+  /// move in steps of more than 2^-6 turns. With `given`, the waves of its patches take the place of random
+  /// ones, and its variances that of the spectrum's; throws what place_modes() throws.
   WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum, std::span<const Cascade> cascades,
-            int size, std::optional<double> loop_period_s);
+            int size, std::optional<double> loop_period_s, const ModalSea* given = nullptr);
 
-  /// Draws the amplitudes of this seed.
+  /// Draws the amplitudes of this seed; given ones are the same for all.
   void draw(std::uint64_t seed);
+
+  /// The waves as they are.
+  std::vector<SeaMode> list() const;
 
   int size() const { return size_; }
   int cascade_count() const { return static_cast<int>(cascades_.size()); }
@@ -52,6 +58,7 @@ class WaveModes {
   ocl::Kernel initial_;
   std::vector<ocl::Buffer<float>> variance_;  // a cascade each
   ocl::Buffer<float> amplitude_;
+  bool is_given_;
   ocl::Buffer<std::uint32_t> rate_;
   ocl::Buffer<float> wavenumber_step_;
 };

@@ -50,6 +50,16 @@ std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view outp
     append_numbers(text, "directions_rad", sea.measured->directions_rad);
     append_numbers(text, "spreading", sea.measured->spreading);
   }
+  if (sea.parameters.modes) {
+    const std::vector<SeaMode>& modes = sea.parameters.modes->modes;
+    std::vector<double> numbers;
+    for (const SeaMode& mode : modes) {
+      numbers.insert(numbers.end(), {mode.amplitude_m, mode.kx_radpm, mode.kz_radpm, mode.omega_radps,
+                                     mode.phase_rad, static_cast<double>(mode.patch)});
+    }
+    const XXH128_hash_t of_modes = XXH3_128bits(numbers.data(), numbers.size() * sizeof(double));
+    fmt::format_to(out, "modes {:016x}{:016x}\n", of_modes.high64, of_modes.low64);
+  }
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }

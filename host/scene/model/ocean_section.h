@@ -61,6 +61,7 @@ struct OceanSection {
   std::optional<double> depth_m;             ///< absent: deep water, or the depth a measured file gives
   ocean::SpectrumParameters spectrum;        ///< its wind and depth are filled in by prepare_sea()
 
+  std::string modes_file;     ///< the waves themselves; empty: they are drawn from a spectrum
   std::string spectrum_file;  ///< measured spectrum; empty: the modelled one
   /// A spectrum that a program has given, in place of what the file holds; nullptr: none.
   std::shared_ptr<const WaveSpectrum> spectrum_data;

@@ -13,6 +13,7 @@
 #include "host/ocean/spectrum/fetch_laws.h"
 #include "host/ocean/spectrum/mixed_sea.h"
 #include "host/ocean/spectrum/spreading.h"
+#include "host/scene/prepare/sea_of_modes.h"
 #include "host/scene/prepare/spectrum_tail.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/unused_parameters.h"
@@ -21,19 +22,9 @@ namespace offing::scene {
 
 namespace {
 
-/// A file that is missing is told where it is named.
-void require_spectrum_file(const Scene& scene) {
-  const auto place = scene.set_at.find("ocean.spectrum_file");
-  if (place == scene.set_at.end() || is_there(scene.ocean.spectrum_file)) return;
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected a wave spectrum file, got no such file, {}", place->second,
-                          scene.ocean.spectrum_file),
-              "check the path; in a scene it is relative to the scene file");
-}
-
 WaveSpectrum read_record(const Scene& scene) {
   if (scene.ocean.spectrum_data) return *scene.ocean.spectrum_data;
-  require_spectrum_file(scene);
+  require_file(scene, "ocean.spectrum_file", scene.ocean.spectrum_file, "a wave spectrum file");
   std::vector<WaveSpectrum> records = read_spectra(scene.ocean.spectrum_file, scene.trust);
   const auto index = static_cast<std::size_t>(scene.ocean.record);
   if (index >= records.size()) {
@@ -147,6 +138,14 @@ std::string height_warning(const Scene& scene, const Sea& sea) {
       100.0 * share, 100.0 * std::sqrt(share));
 }
 
+void require_file(const Scene& scene, const char* key, const std::string& file, const char* kind) {
+  const auto place = scene.set_at.find(key);
+  if (place == scene.set_at.end() || is_there(file)) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected {}, got no such file, {}", place->second, kind, file),
+              "check the path; in a scene it is relative to the scene file");
+}
+
 std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
   const std::string waves = choppiness_warning(scene, gerstner_waves);
   const std::string rings = raindrop_warning(gerstner_waves.raindrops);
@@ -193,6 +192,11 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   if (!scene.has_sea()) {
     throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
                 "add an [ocean] section to the scene");
+  }
+  if (!scene.ocean.modes_file.empty()) {
+    Sea sea = sea_of_modes(scene);
+    if (warnings == Warnings::logged) log_warnings(scene, sea);
+    return sea;
   }
   Sea sea;
   const ocean::Wind wind = wind_of_sea(scene);

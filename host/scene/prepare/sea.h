@@ -46,6 +46,10 @@ enum class Warnings { logged, left_out };
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const Scene& scene, Warnings warnings = Warnings::logged);
 
+/// Throws Error(bad_input), with the place that names it, for a file of the scene that is not there: `key` of
+/// the scene names it, `kind` says what it should be.
+void require_file(const Scene& scene, const char* key, const std::string& file, const char* kind);
+
 /// One line where the Gerstner waves and swells of a scene are so steep that their choppiness is limited
 /// (horizontal_scale()), or a raindrop's ring is steeper than water stays whole; else empty.
 std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves);

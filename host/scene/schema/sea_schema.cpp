@@ -41,12 +41,23 @@ std::string spreading_is(const OceanSection& ocean) {
                      spreading_names[static_cast<std::size_t>(ocean.spectrum.spreading.model)]);
 }
 
-std::string needs_model(const UseContext& context, const OceanSection& ocean) {
-  return context.sea.is_measured ? "the sea comes from " + ocean.spectrum_file : "";
+const std::string& file_of_sea(const OceanSection& ocean) {
+  return ocean.modes_file.empty() ? ocean.spectrum_file : ocean.modes_file;
 }
 
-std::string needs_record(const UseContext& context, const OceanSection&) {
-  return context.sea.is_measured ? "" : "there is no measured spectrum";
+std::string needs_model(const UseContext& context, const OceanSection& ocean) {
+  return context.sea.is_measured ? "the sea comes from " + file_of_sea(ocean) : "";
+}
+
+/// A file of modes has the lattice of its waves, and how they move.
+template <class Struct>
+std::string needs_random_waves(const UseContext& context, const Struct&) {
+  const std::string& file = context.scene.ocean.modes_file;
+  return file.empty() ? "" : "the waves come from " + file;
+}
+
+std::string needs_record(const UseContext& context, const OceanSection& ocean) {
+  return context.sea.is_measured && ocean.modes_file.empty() ? "" : "there is no measured spectrum";
 }
 
 /// A record that ends below the tail.
@@ -121,7 +132,7 @@ std::string needs_swell_period(const UseContext& context, const OceanSection& oc
 /// Waves that run as the wind does, whatever section says where.
 template <class Struct>
 std::string needs_wind_direction(const UseContext& context, const Struct&) {
-  return context.sea.is_directional ? context.scene.ocean.spectrum_file + " has directions of its own" : "";
+  return context.sea.is_directional ? file_of_sea(context.scene.ocean) + " has directions of its own" : "";
 }
 
 std::string needs_spreading(const UseContext& context, const OceanSection& ocean) {
@@ -368,14 +379,27 @@ std::vector<Row<OceanSection>> energy_rows() {
         .low = 0.0,
         .high = 0.01,
         .help = "capillary length: 0.00273 for clean sea water; 0 leaves out surface tension"}},
+      {&OceanSection::modes_file,
+       {.key = "modes_file",
+        .affects = Affects::spectrum,
+        .flag = "--modes-file",
+        .help = "file of the waves themselves, as `offing ocean modes` writes it: NetCDF or CSV; patches, "
+                "size and "
+                "choppiness are the file's",
+        .example = "modes.nc",
+        .absent = "waves are drawn from a spectrum",
+        .rule = ParameterRule::file_name}},
       {&OceanSection::spectrum_file,
        {.key = "spectrum_file",
         .affects = Affects::spectrum,
         .flag = "--spectrum-file",
-        .help = "file of a measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF",
+        .help =
+            "file of a measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell, TRIAXYS, Octopus, Spotter or "
+            "NetCDF",
         .example = "41010.data_spec",
         .absent = "none",
-        .rule = ParameterRule::file_name}},
+        .rule = ParameterRule::file_name},
+       needs_random_waves<OceanSection>},
       {&OceanSection::record,
        {.key = "record",
         .affects = Affects::spectrum,
@@ -404,7 +428,8 @@ std::vector<Row<OceanSection>> grid_rows() {
             .low = 16.0,
             .high = 4096.0,
             .help = "samples along each side of a patch",
-            .rule = ParameterRule::power_of_two}},
+            .rule = ParameterRule::power_of_two},
+           needs_random_waves<OceanSection>},
           {&OceanSection::cascade_count,
            {.key = "cascade_count",
             .affects = Affects::spectrum,
@@ -428,7 +453,8 @@ Schema<OceanSection> cascade_schema() {
          .help = "side of a cascade's square patch; for several cascades repeat it or separate by commas",
          .example = "250",
          .absent = "chosen from the spectrum",
-         .max_count = 4}}});
+         .max_count = 4},
+        needs_random_waves<OceanSection>}});
 }
 
 Schema<OceanSection> gerstner_schema() {
@@ -439,7 +465,8 @@ Schema<OceanSection> gerstner_schema() {
                         .flag = "--gerstner-count",
                         .high = 64.0,
                         .help = "number of Gerstner waves for the longest waves of the spectrum; with 0 the "
-                                "cascades make all waves"}},
+                                "cascades make all waves"},
+                       needs_random_waves<OceanSection>},
                       {&OceanSection::gerstner_split_m,
                        {.key = "split_wavelength_m",
                         .flag = "--gerstner-split-m",
@@ -520,7 +547,8 @@ Schema<OceanSection> ocean_schema() {
                .low = 0.0,
                .high = 5.0,
                .help = "factor on horizontal displacement: 0 none, 1 as in linear theory; larger sharpens "
-                       "the crests"}}})
+                       "the crests"},
+              needs_random_waves<OceanSection>}})
       .section(path(parameters, &OceanParameters::foam), foam_schema())
       .list(&OceanSection::swells, max_swells, swell_schema())
       .list(&OceanSection::raindrops, max_raindrops, raindrop_schema())

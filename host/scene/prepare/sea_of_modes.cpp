@@ -1,0 +1,46 @@
+#include "host/scene/prepare/sea_of_modes.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "host/io/modes/mode_file.h"
+#include "host/ocean/spectrum/mode_spectrum.h"
+#include "host/ocean/surface/cascades.h"
+
+namespace offing::scene {
+
+Sea sea_of_modes(const Scene& scene) {
+  const std::string& file = scene.ocean.modes_file;
+  require_file(scene, "ocean.modes_file", file, "a file of modes");
+  const auto modes = std::make_shared<const ModalSea>(read_modes(file, scene.trust));
+  ocean::Dispersion dispersion = scene.ocean.spectrum.dispersion;
+  dispersion.depth_m = scene.ocean.depth_m.value_or(modes->depth_m);
+
+  Sea sea;
+  sea.measured = ocean::spectrum_of(*modes);
+  sea.measured->station = std::filesystem::path(file).filename().string();
+  sea.spectrum = ocean::from_measured(*sea.measured, scene.ocean.spectrum.spreading, dispersion);
+  sea.parameters = scene.ocean.parameters;
+  sea.parameters.seed = scene.world.seed;
+  sea.parameters.modes = modes;
+  sea.parameters.size = modes->size;
+  sea.parameters.choppiness = modes->choppiness;
+  sea.parameters.loop_period_s = scene.time.loop_period_s ? scene.time.loop_period_s : modes->loop_period_s;
+  sea.parameters.cascades =
+      ocean::cascades_from_patches(modes->patch_lengths_m, modes->size, modes->split_radpm);
+  sea.swells = swells_of(scene, dispersion);
+  for (const SeaMode& mode : modes->modes) {
+    if (mode.patch != SeaMode::alone) continue;
+    sea.swells.push_back({.amplitude_m = mode.amplitude_m,
+                          .wavenumber_radpm = std::hypot(mode.kx_radpm, mode.kz_radpm),
+                          .direction_rad = std::atan2(mode.kz_radpm, mode.kx_radpm),
+                          .omega_radps = mode.omega_radps,
+                          .phase_rad = mode.phase_rad});
+  }
+  sea.raindrops = scene.ocean.raindrops;
+  sea.parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
+  return sea;
+}
+
+}  // namespace offing::scene
