@@ -102,10 +102,11 @@ class Scene:
         return scene
 
     def sea_state(self) -> dict[str, float]:
-        """The sea state of the spectrum, without swells that are one wave, as a dict: hs_m, peak_period_s (where the
-        density E(f) is largest), tp_s (the integral of E^4 df over that of f E^4 df), tm01_s, tm02_s and its other name
-        tz_s, mean_direction_rad, peak_direction_rad (of the waves at the peak period), spread_rad (their standard
-        deviation over all waves) and mss (mean square slope). Directions are of travel, from east toward south."""
+        """The sea state of the spectrum, without swells that are one wave. It is a dict of hs_m, peak_period_s, tp_s, tm01_s,
+        tm02_s and its other name tz_s, mean_direction_rad, peak_direction_rad, spread_rad and mss (mean square slope).
+        peak_period_s is where the density E(f) is largest. tp_s is the integral of E^4 df over that of f E^4 df.
+        peak_direction_rad is that of the waves at the peak period. spread_rad is the standard deviation of directions over
+        all waves. Directions are of travel, from east toward south."""
         return self._scene.sea_state()
 
     def __getstate__(self):

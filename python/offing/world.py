@@ -89,9 +89,9 @@ class World:
         acceleration are those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves
         shorter than min_wavelength_m are left out, as for a large hull.
 
-        `accuracy` is "exact", the sum over all waves for each point; "maps", splines on fine maps that are made once for
-        each time; "frame_maps", straight lines on the maps of fields(), the fastest, whose short waves lose a quarter of
-        their slopes and whose acceleration is 0; or "automatic": exact for a few points, maps for more."""
+        `accuracy` "exact" is the sum over all waves for each point. "maps" are splines on fine maps, which are made once for
+        each time. "frame_maps" are straight lines on the maps of fields(), the fastest way. Short waves then lose a quarter
+        of their slopes, and the acceleration is 0. "automatic" takes "exact" for a few points, "maps" for more."""
         samples = self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow, _accuracy_of(accuracy))
         return Water(samples, flow)
 
