@@ -58,6 +58,8 @@ OffingSeaStatistics to_statistics(const offing::scene::Certificate& found) {
   values.peak_direction_rad = whole_turn_rad(found.peak_direction_rad.mean);
   values.spread_rad = found.spread_rad.mean;
   values.peak_period_standard_error_s = found.standard_error.peak_period_s;
+  values.asked_foam_fraction = found.foam_fraction_asked;
+  values.foam_fraction = found.foam_fraction.mean;
   return values;
 }
 

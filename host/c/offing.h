@@ -212,6 +212,8 @@ typedef struct OffingSeaStatistics {
   double resolved_peak_period_s, resolved_peak_direction_rad, resolved_spread_rad;
   double peak_period_s, peak_direction_rad, spread_rad;
   double peak_period_standard_error_s;
+  /** Share of the sea that foam covers on average, asked for and measured. */
+  double asked_foam_fraction, foam_fraction;
 } OffingSeaStatistics;
 /** Measures a scene's sea on its surface, averaged over seeds: `seeds` of them, 1 to 100000, counted up from
  * the scene's seed. The time is in proportion to `seeds`; start with 8. `progress` may be NULL. */

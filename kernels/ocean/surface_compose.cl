@@ -9,19 +9,9 @@
 // above 0.05 where the surface is about to fold; or, as in the paper, slope = sum s. Lee & Lee 2007, eq. 7 and section 2.3 (O7, O9).
 // The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
+#include "ocean/tile_sample.clh"
 #include "ocean/wake_layer.clh"
 #include "shared/ocean_params.h"
-
-// At a place in 2^-32 of the patch: the high bits are the texel, the others what lies beyond it.
-static float4 bilinear(__global const float4 *map, int size, uint column, uint row) {
-  const int mask = size - 1;
-  const uint below_texel = clz((uint)mask), texel = 32u - below_texel;
-  const int x0 = (int)(column >> below_texel), x1 = (x0 + 1) & mask;
-  const int z0 = (int)(row >> below_texel), z1 = (z0 + 1) & mask;
-  const float per_unit = 2.3283064365386963e-10f;  // 2^-32
-  const float4 u = (float4)((float)(column << texel) * per_unit), v = (float4)((float)(row << texel) * per_unit);
-  return mix(mix(map[z0 * size + x0], map[z0 * size + x1], u), mix(map[z1 * size + x0], map[z1 * size + x1], u), v);
-}
 
 __kernel void surface_compose(__global const float4 *restrict displacement, __global const float4 *restrict gradient,
                               __global const float4 *restrict gerstner_displacement,
@@ -36,8 +26,9 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
     const size_t first = (size_t)cascade * size * size;
     const uint place_x = (uint)grid->origin_column[cascade] + (uint)column * (uint)grid->column_step[cascade];
     const uint place_z = (uint)grid->origin_row[cascade] + (uint)row * (uint)grid->row_step[cascade];
-    moved += bilinear(displacement + first, size, place_x, place_z);
-    slopes += bilinear(gradient + first, size, place_x, place_z);
+    const TilePlace place = tile_place(size, place_x, place_z);
+    moved += TILE_SAMPLE(displacement + first, place);
+    slopes += TILE_SAMPLE(gradient + first, place);
   }
   if (grid->gerstner_pitch > 0) {
     const size_t sample = (size_t)row * grid->gerstner_pitch + column;

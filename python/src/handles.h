@@ -176,7 +176,7 @@ class Scene {
     values["mss"] = found.mss;
     return values;
   }
-  /// {"asked", "resolved", "measured", "standard_error"}, as `offing ocean stats --json` has them.
+  /// {"asked", "resolved", "measured", "standard_error", "foam"}, as `offing ocean stats --json` has them.
   nb::dict measure(const Device& device, int seeds, const nb::object& progress) const {
     OffingSeaStatistics found{};
     found.size = sizeof found;
@@ -225,6 +225,10 @@ class Scene {
     errors["mean_direction_deg"] = degrees(found.mean_direction_standard_error_rad);
     errors["mean_direction_rad"] = found.mean_direction_standard_error_rad;
     values["standard_error"] = errors;
+    nb::dict foam;
+    foam["asked"] = found.asked_foam_fraction;
+    foam["measured"] = found.foam_fraction;
+    values["foam"] = foam;
     return values;
   }
   OffingScene* get() const { return scene_.get(); }

@@ -50,6 +50,8 @@ TEST_F(MeasureCallsTest, TheSeaHasWhatWasAsked) {
   EXPECT_NEAR(found.kurtosis, 3.0, 0.6);
   EXPECT_GT(found.max_ka, 3.0 * std::sqrt(found.mss) * 0.5);
   EXPECT_GE(found.folded_share, 0.0);
+  EXPECT_GT(found.asked_foam_fraction, 0.0);
+  EXPECT_NEAR(found.foam_fraction, found.asked_foam_fraction, 0.5 * found.asked_foam_fraction);
 }
 
 // Fails if shares do not rise from 0 to 1, a seed a step.

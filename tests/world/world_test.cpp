@@ -32,6 +32,7 @@ WorldParameters parameters() {
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size, split_radpm);
   result.ocean.gerstner_waves.waves =
       ocean::choose_gerstner_waves(result.spectrum, {.split_radpm = split_radpm, .count = 8});
+  result.ocean.foam.fraction = ocean::whitecap_fraction(11.0);
   result.wind.wind_speed_mps = 11.0;
   result.sun.sun_direction = sky::direction_of(1.0, 0.5);
   return result;

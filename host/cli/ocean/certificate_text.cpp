@@ -108,6 +108,9 @@ std::string certificate_text(const scene::Certificate& c, const scene::Sea& sea,
                     degrees_per_radian * observed(c.spread_rad)});
   append_row(text, {"mss", "", c.asked.mss, c.resolved.mss, c.mss.mean, c.mss.mean - c.resolved.mss,
                     observed(c.mss)});
+  append_row(text, {"foam cover", "%", 100.0 * c.foam_fraction_asked, 100.0 * c.foam_onset.fraction,
+                    100.0 * c.foam_fraction.mean, 100.0 * (c.foam_fraction.mean - c.foam_onset.fraction),
+                    100.0 * observed(c.foam_fraction)});
   fmt::format_to(out, "\n  skewness {:.3f}, kurtosis {:.3f}, folded share {:.2e}, max ka {:.3f}\n\n",
                  c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
   fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
@@ -154,6 +157,11 @@ nlohmann::json certificate_json(const scene::Certificate& c, const scene::Sea& s
                         {"k_split_radpm", sea.gerstner_choice->split_radpm},
                         {"spectrum_m0_m2", c.energy.gerstner_m0_m2}};
   }
+  json["foam"] = {{"asked", c.foam_fraction_asked},
+                  {"measured", c.foam_fraction.mean},
+                  {"spread", c.foam_fraction.spread},
+                  {"onset_jacobian", c.foam_onset.jacobian},
+                  {"width", c.foam_onset.width}};
   if (!sea.swells.empty()) {
     json["swells"] = {{"count", sea.swells.size()}, {"m0_m2", c.swell_m0_m2}};
   }

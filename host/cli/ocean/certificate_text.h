@@ -16,7 +16,7 @@ std::string certificate_text(const scene::Certificate& certificate, const scene:
                              DirectionStyle style);
 
 /// The certificate for scripts: "asked" and "measured" as documented, and beside them "resolved",
-/// "standard_error", "spread", "cascades", "out_of_band_m2", "m0_m2", "seeds".
+/// "standard_error", "spread", "foam", "cascades", "out_of_band_m2", "m0_m2", "seeds".
 nlohmann::json certificate_json(const scene::Certificate& certificate, const scene::Sea& sea,
                                 DirectionStyle style);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <thread>
 
 #include <fmt/format.h>
@@ -57,7 +56,7 @@ bool shares_host_memory(const ocl::DeviceInfo& device) {
 }  // namespace
 
 GerstnerLayer::GerstnerLayer(const ocl::Device& device, const ocean::OceanParameters& sea)
-    : foam_(sea.foam), instants_(sea.foam, sea.loop_period_s), surface_(device) {
+    : surface_(device) {
   const double spacing_m = sea.cascades.front().patch_length_m / sea.size;
   labels_ = {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = sea.size, .rows = sea.size};
 }
@@ -82,46 +81,12 @@ BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFie
   surface.jacobian = std::move(composed.jacobian);
   surface.jacobian_min_eigenvalue = std::move(composed.jacobian_min_eigenvalue);
   if (!fields.foam.empty()) {
-    fields.foam = foam_at(sea, time_s);
-    sea.at(time_s);
+    fields.foam = sea.read_composed_foam(labels_);
   }
   if (!fields.velocity.x.empty()) {
     add_velocity(fields.velocity, {gerstner_waves, time_s}, velocity_depth_m);
   }
   return fields;
-}
-
-/// As ocean::Foam, of the composed surface.
-std::vector<float> GerstnerLayer::foam_at(ocean::Ocean& sea, double time_s) {
-  const std::int64_t now = instants_.at_or_before(time_s);
-  std::set<std::int64_t> needed;
-  for (std::int64_t j = 0; j <= instants_.past_count(); ++j) {
-    needed.insert(instants_.key_of(now - j));
-  }
-  std::erase_if(coverages_, [&](const auto& entry) { return !needed.contains(entry.first); });
-  std::vector<float> foam(static_cast<std::size_t>(labels_.columns) * labels_.rows, 0.0f);
-  for (std::int64_t j = 0; j <= instants_.past_count(); ++j) {
-    const auto weight = static_cast<float>(instants_.weight(j));
-    const std::vector<float>& coverage = coverage_at(sea, now - j);
-    for (std::size_t i = 0; i < foam.size(); ++i) {
-      foam[i] = std::max(foam[i], weight * coverage[i]);
-    }
-  }
-  return foam;
-}
-
-const std::vector<float>& GerstnerLayer::coverage_at(ocean::Ocean& sea, std::int64_t instant) {
-  const std::int64_t key = instants_.key_of(instant);
-  const auto found = coverages_.find(key);
-  if (found != coverages_.end()) {
-    return found->second;
-  }
-  sea.at(static_cast<double>(key) * instants_.step_s());
-  std::vector<float> coverage = sea.read_composed(labels_).jacobian;
-  for (float& value : coverage) {
-    value = static_cast<float>(std::clamp((foam_.onset_jacobian - value) / foam_.width, 0.0, 1.0));
-  }
-  return coverages_.emplace(key, std::move(coverage)).first->second;
 }
 
 void GerstnerLayer::add_velocity(ocean::VelocityFields& velocity, const ocean::GerstnerInstant& waves,
@@ -164,8 +129,9 @@ std::size_t sea_bytes(const BakeSettings& settings, const scene::Sea& sea) {
   if (settings.has(ChannelGroup::velocity)) bytes_a_texel += velocity;
   if (shows_foam(settings)) {
     const ocean::FoamInstants instants(sea.parameters.foam, sea.parameters.loop_period_s);
+    // Foam now and at an instant, amplitudes of the waves that foam, and coverages.
     bytes_a_texel +=
-        sizeof(float) + sizeof(std::uint16_t) * static_cast<std::size_t>(instants.past_count() + 1);
+        2 * sizeof(float) + 8 + sizeof(std::uint16_t) * static_cast<std::size_t>(instants.past_count() + 2);
   }
   return bytes_a_texel * texels;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,7 +7,6 @@
 #include "host/cli/ocean/bake_settings.h"
 #include "host/io/meshes/grid_mesh.h"
 #include "host/ocean/query/gerstner_instant.h"
-#include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocl/device.h"
@@ -56,17 +53,11 @@ class GerstnerLayer {
                                        double time_s, double velocity_depth_m);
 
  private:
-  std::vector<float> foam_at(ocean::Ocean& sea, double time_s);
-  const std::vector<float>& coverage_at(ocean::Ocean& sea, std::int64_t instant);
   void add_velocity(ocean::VelocityFields& velocity, const ocean::GerstnerInstant& waves,
                     double depth_m) const;
 
-  ocean::FoamParameters foam_;
-  ocean::FoamInstants instants_;
   ocean::SampleGrid labels_;  // those of the cascade
   ocean::GerstnerSurface surface_;
-  std::map<std::int64_t, std::vector<float>>
-      coverages_;  // by key of the instant, as the next frame needs them
 };
 
 /// Threads that write frames, each a frame at a time.

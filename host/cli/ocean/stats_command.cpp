@@ -47,7 +47,7 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   const auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command =
       ocean.add_subcommand("stats", "compare the sea state you asked for with the generated surface");
-  arguments->parameters.add_to(*command, {world, sea, grid});
+  arguments->parameters.add_to(*command, {world, sea, grid, foam});
   arguments->settings.add_to(*command, {{&StatsSettings::seeds,
                                          {.key = "seeds",
                                           .low = 1.0,

@@ -325,6 +325,10 @@ bool is_by_height(const SpectrumParameters& parameters) {
   return parameters.hs_m && is_wind_sea;
 }
 
+double wind_at_10_m_mps(SpectrumModel model, double wind_speed_mps) {
+  return model == SpectrumModel::pierson_moskowitz ? wind_speed_mps / profile_195_over_10 : wind_speed_mps;
+}
+
 SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters) {
   require_within("wind_speed_mps", parameters.wind_speed_mps, 0.1, 100.0);
   require_within("fetch_m", parameters.fetch_m, 100.0, 1e8);
@@ -337,7 +341,7 @@ SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters) {
 
   SeaSpectrum spectrum;
   spectrum.dispersion = parameters.dispersion;
-  double wind_at_10m_mps = parameters.wind_speed_mps;
+  double wind_at_10m_mps = wind_at_10_m_mps(parameters.model, parameters.wind_speed_mps);
   switch (parameters.model) {
     case SpectrumModel::phillips:
       use_phillips(spectrum, parameters);

@@ -59,6 +59,9 @@ struct SpectrumParameters {
 /// Whether height and period make the wind waves, in place of wind and fetch.
 bool is_by_height(const SpectrumParameters& parameters);
 
+/// U10 of a wind that this model takes at its own height.
+double wind_at_10_m_mps(SpectrumModel model, double wind_speed_mps);
+
 /// Throws Error(bad_input) that names the parameter and its range when one is out of range or not finite.
 SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters);
 

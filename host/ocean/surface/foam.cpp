@@ -44,13 +44,21 @@ std::int64_t FoamInstants::key_of(std::int64_t instant) const {
   return ((instant % loop_instants_) + loop_instants_) % loop_instants_;
 }
 
-double FoamInstants::weight(std::int64_t instants) const {
-  return std::exp(-static_cast<double>(instants) * step_s_ / decay_s_);
+double FoamInstants::share_beyond(std::int64_t instant, double time_s) const {
+  // To 2^-20, so that times a loop apart have the same.
+  const double share = time_s / step_s_ - static_cast<double>(instant);
+  return std::clamp(std::round(share * 0x1p20) * 0x1p-20, 0.0, 1.0);
+}
+
+double FoamInstants::weight(double instants) const {
+  return std::exp(-instants * step_s_ / decay_s_);
 }
 
 void require_valid_foam(const FoamParameters& parameters) {
-  require_within("foam.onset_jacobian", parameters.onset_jacobian, -10.0, 10.0);
-  require_within("foam.width", parameters.width, 1e-3, 100.0);
+  require_within("foam.fraction", parameters.fraction.value_or(0.0), 0.0, most_foam);
+  require_within("foam.onset_jacobian", parameters.onset_jacobian.value_or(0.0), -10.0, 10.0);
+  require_within("foam.width", parameters.width.value_or(1.0), 1e-3, 100.0);
+  require_within("foam.min_wavelength_m", parameters.min_wavelength_m, 0.0, 1e6);
   require_within("foam.decay_s", parameters.decay_s, 0.01, 3600.0);
   require_within("foam.step_s", parameters.step_s, 0.01, 60.0);
   // Rounding of a quotient such as 2.3 / 0.023 is no reason to refuse.
@@ -75,59 +83,94 @@ void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std
 }
 
 Foam::Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
-           std::optional<double> loop_period_s)
-    : device_(device), parameters_(parameters), instants_(parameters, loop_period_s) {
+           const FoamOnset& onset, double choppiness, std::optional<double> loop_period_s)
+    : device_(device),
+      onset_(onset),
+      choppiness_(foam_choppiness(choppiness)),
+      k_most_radpm_(largest_wavenumber_radpm(parameters.min_wavelength_m)),
+      instants_(parameters, loop_period_s) {
   const auto n = static_cast<std::size_t>(modes.size());
   texels_ = n * n * static_cast<std::size_t>(modes.cascade_count());
-  require_foam_fits(device.info(), instants_.past_count() + 1, texels_);
+  foam_ = ocl::Buffer<float>(device, texels_, "foam");
+  if (!onset_.has_foam()) return;
+  require_foam_fits(device.info(), instants_.past_count() + 2, texels_);
+  filter_ = ocl::Program::build(device, "ocean/mode_filter.cl").kernel("mode_filter");
   coverage_ = ocl::Program::build(device, "ocean/foam_coverage.cl").kernel("foam_coverage");
   decay_ = ocl::Program::build(device, "ocean/foam_decay.cl").kernel("foam_decay");
-  foam_ = ocl::Buffer<float>(device, texels_, "foam");
+  now_ = ocl::Program::build(device, "ocean/foam_now.cl").kernel("foam_now");
+  past_ = ocl::Buffer<float>(device, texels_, "foam of an instant");
 }
 
-const Foam::Coverage& Foam::coverage_at(const WaveModes& modes, SurfaceMaps& surface, std::int64_t instant) {
-  const std::int64_t key = instants_.key_of(instant);
-  const auto found = coverages_.find(key);
-  if (found != coverages_.end()) return found->second;
-  surface.at(modes, static_cast<double>(key) * instants_.step_s());
-  Coverage coverage(device_, texels_, "foam coverage");
-  coverage_.launch({{texels_, 1, 1}}, surface.displacement(), surface.gradient(), 0,
-                   static_cast<float>(parameters_.onset_jacobian), static_cast<float>(parameters_.width),
-                   coverage);
-  return coverages_.emplace(key, std::move(coverage)).first->second;
+const ocl::Buffer<float>& Foam::foaming_amplitude(const WaveModes& modes) {
+  if (amplitude_.empty()) {
+    ocl::Buffer<float> filtered(device_, modes.amplitude().size(), "amplitudes of waves that foam");
+    filter_.launch({{static_cast<std::size_t>(modes.columns()), static_cast<std::size_t>(modes.size()),
+                     static_cast<std::size_t>(modes.cascade_count())}},
+                   modes.amplitude(), modes.wavenumber_step(), modes.columns(), modes.size(),
+                   static_cast<float>(k_most_radpm_), filtered);
+    amplitude_ = std::move(filtered);
+  }
+  return amplitude_;
 }
 
-void Foam::at(const WaveModes& modes, SurfaceMaps& surface, double time_s) {
-  const std::int64_t now = instants_.at_or_before(time_s), past_count = instants_.past_count();
+/// Those of the newest instant and of all that it looks back at.
+bool Foam::make_coverages(const WaveModes& modes, SurfaceMaps& surface, std::int64_t newest) {
   std::set<std::int64_t> needed;
-  for (std::int64_t j = 0; j <= past_count; ++j) needed.insert(instants_.key_of(now - j));
+  for (std::int64_t j = 0; j <= instants_.past_count() + 1; ++j) needed.insert(instants_.key_of(newest - j));
   std::erase_if(coverages_, [&](const auto& entry) { return !needed.contains(entry.first); });
-  held_.reset();
-  foam_.fill(0.0f);
-  const std::size_t missing = needed.size() - coverages_.size();
-  if (missing > 2) device_.finish();  // so that the first one is timed alone; frames never wait
+  std::erase_if(needed, [&](std::int64_t key) { return coverages_.contains(key); });
+  if (needed.size() > 3) device_.finish();  // so that the first one is timed alone; frames never wait
   TimeEstimate estimate(
-      static_cast<std::int64_t>(missing),
-      fmt::format("ocean.foam: {} past instants of {} x {} samples in {} cascades", missing, modes.size(),
-                  modes.size(), modes.cascade_count()),
+      static_cast<std::int64_t>(needed.size()),
+      fmt::format("ocean.foam: {} past instants of {} x {} samples in {} cascades", needed.size(),
+                  modes.size(), modes.size(), modes.cascade_count()),
       "use a smaller ocean.size, a longer ocean.foam.step_s, or a shorter ocean.foam.decay_s",
       TimeEstimate::Steps::large);
-  for (std::int64_t j = 0; j <= past_count; ++j) {
-    const bool is_new = !coverages_.contains(instants_.key_of(now - j));
-    decay_.launch({{texels_, 1, 1}}, coverage_at(modes, surface, now - j),
-                  static_cast<float>(instants_.weight(j)), foam_);
-    if (is_new) estimate.step_done([this] { device_.finish(); });
+  for (const std::int64_t key : needed) {
+    surface.at(modes, foaming_amplitude(modes), choppiness_, static_cast<double>(key) * instants_.step_s());
+    Coverage coverage(device_, texels_, "foam coverage");
+    coverage_.launch({{texels_, 1, 1}}, surface.displacement(), surface.gradient(), 0,
+                     static_cast<float>(onset_.jacobian), static_cast<float>(onset_.width), coverage);
+    coverages_.emplace(key, std::move(coverage));
+    estimate.step_done([this] { device_.finish(); });
   }
-  held_ = instants_.key_of(now);
+  return !needed.empty();
 }
 
-bool Foam::holds(double time_s) const {
-  return held_ == instants_.key_of(instants_.at_or_before(time_s));
+/// The foam of an instant whose coverages there are.
+void Foam::make_past(std::int64_t instant) {
+  if (past_key_ == instants_.key_of(instant)) return;
+  past_key_.reset();
+  past_.fill(0.0f);
+  for (std::int64_t j = 0; j <= instants_.past_count(); ++j) {
+    decay_.launch({{texels_, 1, 1}}, coverages_.at(instants_.key_of(instant - j)),
+                  static_cast<float>(instants_.weight(static_cast<double>(j))), past_);
+  }
+  past_key_ = instants_.key_of(instant);
+}
+
+bool Foam::at(const WaveModes& modes, SurfaceMaps& surface, double time_s) {
+  held_s_.reset();
+  bool used_surface = false;
+  if (onset_.has_foam()) {
+    const std::int64_t instant = instants_.at_or_before(time_s);
+    used_surface = make_coverages(modes, surface, instant + 1);
+    make_past(instant);
+    const double share = instants_.share_beyond(instant, time_s);
+    now_.launch({{texels_, 1, 1}}, past_, static_cast<float>(instants_.weight(share)),
+                coverages_.at(instants_.key_of(instant + 1)), static_cast<float>(share), foam_);
+  } else {
+    foam_.fill(0.0f);
+  }
+  held_s_ = time_s;
+  return used_surface;
 }
 
 void Foam::reset() {
   coverages_.clear();
-  held_.reset();
+  amplitude_ = {};
+  past_key_.reset();
+  held_s_.reset();
 }
 
 }  // namespace offing::ocean

@@ -4,7 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/foam_onset.h"
+#include "host/ocean/surface/foam_parameters.h"
 #include "host/ocean/surface/surface_maps.h"
 #include "host/ocl/device.h"
 
@@ -24,8 +25,10 @@ class FoamInstants {
   std::int64_t at_or_before(double time_s) const;
   /// Equal for instants that look the same: those a whole loop apart. The first of them is its own key.
   std::int64_t key_of(std::int64_t instant) const;
-  /// What is left of foam after so many instants.
-  double weight(std::int64_t instants) const;
+  /// How far a time has gone from this instant to the next, 0 ... 1.
+  double share_beyond(std::int64_t instant, double time_s) const;
+  /// What is left of foam after so many steps.
+  double weight(double instants) const;
 
  private:
   double step_s_, decay_s_;
@@ -41,20 +44,20 @@ void require_valid_foam(const FoamParameters& parameters);
 /// device's memory. texels: of all cascades together.
 void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std::size_t texels);
 
-/// Foam of every cascade: the largest coverage of the last instants, decayed (FoamParameters). It depends on
-/// the time alone; coverages of instants that the next frame needs again are kept.
+/// Foam of every cascade as FoamParameters has it. It depends on the time alone; what the next frame needs
+/// again is kept.
 class Foam {
  public:
-  /// Throws what require_foam_fits() throws.
+  /// The sea's choppiness, which its surface maps have. Throws what require_foam_fits() throws.
   Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
-       std::optional<double> loop_period_s);
+       const FoamOnset& onset, double choppiness, std::optional<double> loop_period_s);
 
-  /// Whether foam() is already that of this time: foam changes only from one instant to the next.
-  bool holds(double time_s) const;
-  /// Enqueues the foam at this time. Uses `surface` for past instants: afterwards it holds one of them.
-  /// Throws Error(bad_input) if more than two instants would take longer than a first picture may
-  /// (host/base/time_estimate.h).
-  void at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
+  /// Whether foam() is already that of this time.
+  bool holds(double time_s) const { return held_s_ == time_s; }
+  /// Enqueues the foam at this time. Returns whether `surface` was needed for instants: it then holds one of
+  /// them. Throws Error(bad_input) if more than three instants would take
+  /// longer than a first picture may (host/base/time_estimate.h).
+  bool at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
   /// Forgets foam and coverages: the waves have changed.
   void reset();
 
@@ -64,16 +67,21 @@ class Foam {
  private:
   using Coverage = ocl::Buffer<std::uint16_t>;  // [cascades][n][n] half
 
-  const Coverage& coverage_at(const WaveModes& modes, SurfaceMaps& surface, std::int64_t instant);
+  const ocl::Buffer<float>& foaming_amplitude(const WaveModes& modes);
+  bool make_coverages(const WaveModes& modes, SurfaceMaps& surface, std::int64_t newest);
+  void make_past(std::int64_t instant);
 
   ocl::Device device_;
-  FoamParameters parameters_;
+  FoamOnset onset_;
+  double choppiness_, k_most_radpm_;
   FoamInstants instants_;
   std::size_t texels_;
-  ocl::Kernel coverage_, decay_;
+  ocl::Kernel filter_, coverage_, decay_, now_;
+  ocl::Buffer<float> amplitude_;  // of the waves that foam, once they are asked for
   std::map<std::int64_t, Coverage> coverages_;
-  std::optional<std::int64_t> held_;  // key of the instant that foam_ belongs to
-  ocl::Buffer<float> foam_;
+  std::optional<std::int64_t> past_key_;  // of the instant that past_ belongs to
+  std::optional<double> held_s_;          // that foam_ belongs to
+  ocl::Buffer<float> past_, foam_;        // at the last instant, and now
 };
 
 }  // namespace offing::ocean

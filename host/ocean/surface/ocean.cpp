@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -144,8 +145,9 @@ OceanParameters checked(const OceanParameters& parameters) {
 }  // namespace
 
 struct Ocean::State {
-  State(const ocl::Device& opened, const SeaSpectrum& spectrum, const OceanParameters& requested)
+  State(const ocl::Device& opened, const SeaSpectrum& asked, const OceanParameters& requested)
       : device(opened),
+        spectrum(asked),
         parameters(checked(requested)),
         dispersion(spectrum.dispersion),
         modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s,
@@ -200,8 +202,10 @@ struct Ocean::State {
   /// The same from a frame's maps.
   FrameMaps frame_maps(const WaterQuery& query);
   void enqueue_sample(const auto& points, std::size_t count, auto& samples, const WaterQuery& query);
+  OceanComposeParams grid_in_patches(const SampleGrid& grid);
 
   ocl::Device device;
+  SeaSpectrum spectrum;
   OceanParameters parameters;
   Dispersion dispersion;
   double time_s = 0.0;
@@ -213,10 +217,12 @@ struct Ocean::State {
   bool surface_is_current = false;        // whether `surface` is that of time_s
   // Made at first use: many callers want the surface alone.
   std::optional<VelocityMap> velocity;
+  std::optional<FoamOnset> foam_onset;
+  std::optional<std::vector<FoamGathering>> foam_gathering;  // by these Gerstner waves
   std::optional<Foam> foam;
   std::optional<ocl::Kernel> jacobian, field_copy;
   ocl::Buffer<float> jacobians;
-  std::optional<ocl::Kernel> compose;
+  std::optional<ocl::Kernel> compose, foam_compose;
   std::optional<GerstnerSurface> gerstner_surface;
   std::optional<LongWaves> long_waves;
   std::optional<SurfaceQuery> query;
@@ -280,6 +286,7 @@ void Ocean::at(double time_s) {
 void Ocean::set_gerstner_waves(const GerstnerSea& gerstner_waves) {
   require_valid_gerstner_waves(gerstner_waves);
   state_->parameters.gerstner_waves = gerstner_waves;
+  state_->foam_gathering.reset();
 }
 
 void Ocean::set_wakes(std::shared_ptr<const WakeMaps> wakes) {
@@ -376,13 +383,31 @@ const ocl::Buffer<float>& Ocean::gradient_map() const {
   return state_->current_surface().gradient();
 }
 
+const FoamOnset& Ocean::foam_onset() const {
+  State& state = *state_;
+  if (!state.foam_onset) {
+    const OceanParameters& sea = state.parameters;
+    std::vector<Cascade> held = sea.cascades;  // fewer samples than the bands need hold less of them
+    for (Cascade& cascade : held) {
+      cascade.k_max_radpm =
+          std::min(cascade.k_max_radpm, resolved_wavenumber_radpm(cascade.patch_length_m, sea.size));
+    }
+    state.foam_onset = ocean::foam_onset(state.spectrum, held, sea.choppiness, sea.foam, sea.loop_period_s);
+  }
+  return *state.foam_onset;
+}
+
 const ocl::Buffer<float>& Ocean::foam_map() {
   State& state = *state_;
-  if (!state.foam)
-    state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
+  if (!state.foam) {
+    state.foam.emplace(state.device, state.modes, state.parameters.foam, foam_onset(),
+                       state.parameters.choppiness, state.parameters.loop_period_s);
+  }
   if (!state.foam->holds(state.time_s)) {
-    state.surface_is_current = false;
-    state.foam->at(state.modes, state.surface, state.time_s);
+    // Until it has been asked, the maps may hold a past instant: foam may fail half-way.
+    const bool was_current = std::exchange(state.surface_is_current, false);
+    const bool used_surface = state.foam->at(state.modes, state.surface, state.time_s);
+    state.surface_is_current = was_current && !used_surface;
   }
   return state.foam->foam();
 }
@@ -411,26 +436,22 @@ VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   return fields;
 }
 
-ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
-  State& state = *state_;
-  const GerstnerSea& gerstner_waves = state.parameters.gerstner_waves;
+/// Enqueues the Gerstner waves on this grid, if there are any, and says where its samples lie in the patches.
+OceanComposeParams Ocean::State::grid_in_patches(const SampleGrid& grid) {
   require_valid_grid(grid);
+  const GerstnerSea& gerstner_waves = parameters.gerstner_waves;
   const bool has_gerstner_waves = !gerstner_waves.waves.empty() || !gerstner_waves.raindrops.empty();
   if (has_gerstner_waves) {
-    if (!state.gerstner_surface) state.gerstner_surface.emplace(state.device);
-    state.gerstner_surface->at(gerstner_waves, grid, state.time_s);
-  }
-  if (!state.compose) {
-    state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
+    if (!gerstner_surface) gerstner_surface.emplace(device);
+    gerstner_surface->at(gerstner_waves, grid, time_s);
   }
   OceanComposeParams params{};
-  params.cascade_count = static_cast<int>(state.parameters.cascades.size());
+  params.cascade_count = static_cast<int>(parameters.cascades.size());
   params.columns = grid.columns;
   params.rows = grid.rows;
-  params.gerstner_pitch = has_gerstner_waves ? state.gerstner_surface->pitch() : 0;
-  params.adds_slopes = slopes == SlopeRule::added ? 1 : 0;
-  for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
-    const double length_m = state.parameters.cascades[i].patch_length_m;
+  params.gerstner_pitch = has_gerstner_waves ? gerstner_surface->pitch() : 0;
+  for (std::size_t i = 0; i < parameters.cascades.size(); ++i) {
+    const double length_m = parameters.cascades[i].patch_length_m;
     // In 2^-32 of the patch, as the kernel adds them up. fmod() is exact, so that a grid far from the origin
     // loses nothing; a step's rounding comes to columns * 2^-33 of the patch at the far end, 0.008 texels at
     // most.
@@ -441,6 +462,17 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
     params.origin_row[i] = fraction(grid.origin_z_m);
     params.column_step[i] = fraction(grid.spacing_x_m);
     params.row_step[i] = fraction(grid.spacing_z_m);
+  }
+  return params;
+}
+
+ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
+  State& state = *state_;
+  OceanComposeParams params = state.grid_in_patches(grid);
+  params.adds_slopes = slopes == SlopeRule::added ? 1 : 0;
+  const bool has_gerstner_waves = params.gerstner_pitch > 0;
+  if (!state.compose) {
+    state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
   }
   const SurfaceMaps& surface = state.current_surface();
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
@@ -478,6 +510,40 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
     fields.jacobian_min_eigenvalue[i] = shapes[4 * i + 2];
   }
   return fields;
+}
+
+const std::vector<FoamGathering>& Ocean::foam_gathering() const {
+  State& state = *state_;
+  if (!state.foam_gathering) {
+    state.foam_gathering =
+        ocean::foam_gathering(foam_onset(), state.parameters.gerstner_waves, state.parameters.choppiness);
+  }
+  return *state.foam_gathering;
+}
+
+std::vector<float> Ocean::read_composed_foam(const SampleGrid& grid) {
+  State& state = *state_;
+  const ocl::Buffer<float>& foam = foam_map();
+  const SurfaceMaps& surface = state.current_surface();
+  const OceanComposeParams params = state.grid_in_patches(grid);
+  if (!state.foam_compose) {
+    state.foam_compose = ocl::Program::build(state.device, "ocean/foam_compose.cl").kernel("foam_compose");
+  }
+  std::vector<float> gathering;
+  for (const FoamGathering& cascade : foam_gathering()) {
+    gathering.push_back(static_cast<float>(cascade.factor));
+    gathering.push_back(static_cast<float>(cascade.steepness));
+  }
+  const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+  const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
+  const ocl::Buffer<float> gathering_buffer(state.device, gathering, "gathering of foam");
+  ocl::Buffer<float> composed(state.device, columns * rows, "composed foam");
+  // Without Gerstner waves the cascades' own map stands in for theirs, unread.
+  state.foam_compose->launch(
+      {{columns, rows, 1}}, foam, surface.gradient(),
+      params.gerstner_pitch > 0 ? state.gerstner_surface->gradient() : surface.gradient(), gathering_buffer,
+      params_buffer, state.parameters.size, composed);
+  return composed.read();
 }
 
 void Ocean::State::enqueue_sample(const auto& points, std::size_t count, auto& samples,

@@ -12,6 +12,7 @@
 #include "host/ocean/query/water_query.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/foam_onset.h"
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/sample_grid.h"
 #include "host/ocean/wakes/wake_maps.h"
@@ -19,16 +20,6 @@
 #include "host/ocl/device.h"
 
 namespace offing::ocean {
-
-/// Foam from folding crests (J of O7 in docs/sources.md): coverage c(J) = clamp((onset_jacobian - J) / width,
-/// 0, 1), and at time t the largest coverage of the last four decay times, decayed: max over j of c(J(t_q - j
-/// step)) exp(-j step / decay).
-struct FoamParameters {
-  double onset_jacobian = 0.6;  ///< J at which foam begins to appear
-  double width = 0.6;           ///< J below the onset at which coverage is full
-  double decay_s = 2.0;         ///< time for foam to fade by 1/e
-  double step_s = 0.25;         ///< spacing of the past instants that are looked at
-};
 
 /// Everything that defines a sea besides its spectrum.
 struct OceanParameters {
@@ -132,6 +123,10 @@ class Ocean {
   /// m, dz m, d dx/dz) and (dh/dx, dh/dz, d dx/dx, d dz/dz).
   const ocl::Buffer<float>& displacement_map() const;
   const ocl::Buffer<float>& gradient_map() const;
+  /// Where foam begins, and how much of it theory expects.
+  const FoamOnset& foam_onset() const;
+  /// How longer waves gather the foam of each cascade.
+  const std::vector<FoamGathering>& foam_gathering() const;
   /// Foam at the time of the last at() on the device, [cascades][n][n] float, 0 ... 1; costs and errors are
   /// those of read_foam().
   const ocl::Buffer<float>& foam_map();
@@ -157,6 +152,10 @@ class Ocean {
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade. Throws
   /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite.
   ComposedFields read_composed(const SampleGrid& grid, SlopeRule slopes = SlopeRule::of_displaced_surface);
+
+  /// Foam of the whole sea at the time of the last at(), [rows][columns], 0 ... 1: what any of the cascades
+  /// makes, gathered by longer waves. Costs and errors are those of read_foam() and read_composed().
+  std::vector<float> read_composed_foam(const SampleGrid& grid);
 
   /// The water at points of the world at the time of the last at(): the surface that read_composed()
   /// composes, where it meets each point's vertical.

@@ -15,17 +15,18 @@ ModeTransform::Request surface_request() {
 }
 
 SurfaceMaps::SurfaceMaps(const ocl::Device& device, const WaveModes& modes, double choppiness)
-    : transform_(device, modes, surface_request()), choppiness_(static_cast<float>(choppiness)) {
+    : transform_(device, modes, surface_request()), choppiness_(choppiness) {
   const auto n = static_cast<std::size_t>(modes.size());
   const std::size_t floats = 4 * n * n * static_cast<std::size_t>(modes.cascade_count());
   displacement_ = ocl::Buffer<float>(device, floats, "displacement map");
   gradient_ = ocl::Buffer<float>(device, floats, "gradient map");
 }
 
-void SurfaceMaps::at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s) {
+void SurfaceMaps::at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double choppiness,
+                     double time_s) {
   const WaveTime time = modes.clock().at(time_s);
   transform_.advance(amplitude, modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
-                     choppiness_);
+                     static_cast<float>(choppiness));
   transform_.assemble(modes.wavenumber_step(), displacement_, gradient_);
 }
 

@@ -16,7 +16,11 @@ class SurfaceMaps {
   /// Enqueues the maps at this time.
   void at(const WaveModes& modes, double time_s) { at(modes, modes.amplitude(), time_s); }
   /// The same of the modes with these amplitudes, laid out as WaveModes has them.
-  void at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s);
+  void at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s) {
+    at(modes, amplitude, choppiness_, time_s);
+  }
+  /// And with this choppiness.
+  void at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double choppiness, double time_s);
 
   /// [cascades][n][n] float4: dx m, h m, dz m, d dx/dz.
   const ocl::Buffer<float>& displacement() const { return displacement_; }
@@ -25,7 +29,7 @@ class SurfaceMaps {
 
  private:
   ModeTransform transform_;
-  float choppiness_;
+  double choppiness_;
   ocl::Buffer<float> displacement_;
   ocl::Buffer<float> gradient_;
 };

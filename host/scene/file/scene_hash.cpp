@@ -39,6 +39,7 @@ std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view outp
   if (sea.measured || ocean::is_by_height(scene.ocean.spectrum))
     fmt::format_to(out, "own wind {}\n", scene.ocean.wind_speed_mps.has_value());
   fmt::format_to(out, "depth {:.17g}\n", sea.spectrum.dispersion.depth_m);
+  fmt::format_to(out, "foam {:.17g}\n", sea.parameters.foam.fraction.value_or(0.0));
   fmt::format_to(out, "spectrum {}\n", spectrum_name(scene, sea));
   for (const ocean::Cascade& cascade : sea.parameters.cascades) {
     fmt::format_to(out, "cascade {:.17g} {:.17g} {:.17g}\n", cascade.patch_length_m, cascade.k_min_radpm,

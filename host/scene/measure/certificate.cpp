@@ -26,6 +26,7 @@ struct SurfaceMeasurement {
   double skewness = 0.0;              ///< of the elevation at rest labels, the whole surface
   double kurtosis = 0.0;              ///< 3 for a Gaussian surface
   double folded_share = 0.0;          ///< share of label area with composed J <= 0
+  double foam_fraction = 0.0;         ///< area mean of the composed foam
 };
 
 /// Measures a sea from its surface alone: the cascades' elevation and its rate of change, not the amplitudes
@@ -110,6 +111,18 @@ void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
   measurement.folded_share = static_cast<double>(folded) / sample_count;
 }
 
+/// Of labels on a grid over the square, whose spacing has no common multiple with any patch.
+double foam_fraction_of(ocean::Ocean& sea) {
+  constexpr int side = 512;
+  static_assert(side * side == sample_count);
+  if (!sea.foam_onset().has_foam()) return 0.0;
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  const double spacing_m = golden * square_patches / side * sea.parameters().cascades.front().patch_length_m;
+  const std::vector<float> foam = sea.read_composed_foam(
+      {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = side, .rows = side});
+  return std::accumulate(foam.begin(), foam.end(), 0.0) / sample_count;
+}
+
 SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
     : forward_(device, size, 1, fft::Direction::forward),
       packed_(device, forward_.float_count(), "measured surface"),
@@ -135,6 +148,7 @@ SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea) {
   measurement.state = ocean::sea_state_of(modes, dispersion, gerstner_waves.waves);
   measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
   measure_shape(surfaces, cascades, ocean::GerstnerInstant(gerstner_waves, 0.0), measurement);
+  measurement.foam_fraction = foam_fraction_of(sea);
   return measurement;
 }
 
@@ -236,6 +250,7 @@ void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certific
   certificate.skewness = mean_and_spread(each(all, [](const M& m) { return m.skewness; }));
   certificate.kurtosis = mean_and_spread(each(all, [](const M& m) { return m.kurtosis; }));
   certificate.folded_share = mean_and_spread(each(all, [](const M& m) { return m.folded_share; }));
+  certificate.foam_fraction = mean_and_spread(each(all, [](const M& m) { return m.foam_fraction; }));
   for (std::size_t i = 0; i < certificate.energy.cascade_m0_m2.size(); ++i) {
     certificate.measured_cascade_m0_m2.push_back(
         mean_and_spread(each(all, [i](const M& m) { return m.cascade_m0_m2[i]; })).mean);
@@ -300,6 +315,9 @@ Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const 
   parameters.gerstner_waves = measured_gerstner_waves(sea, parameters.seed);
   ocean::Ocean ocean(device, sea.spectrum, parameters);
   expect(ocean, dispersion, expected_gerstner_waves(sea), certificate);
+  certificate.foam_onset = ocean.foam_onset();
+  certificate.foam_fraction_asked = parameters.foam.onset_jacobian ? certificate.foam_onset.fraction
+                                                                   : parameters.foam.fraction.value_or(0.0);
   SurfaceMeter meter(device, parameters.size);
   std::vector<SurfaceMeasurement> measurements;
   double steepness = 0.0;  // of the Gerstner waves, sum over the seeds

@@ -28,6 +28,9 @@ struct Certificate {
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
   Measured hs_m, peak_period_s, tp_s, tm01_s, tm02_s, mean_direction_rad, peak_direction_rad, spread_rad, mss;
   Measured skewness, kurtosis, folded_share;
+  double foam_fraction_asked = 0.0;  ///< of the sea, on average; what theory expects where the onset is given
+  ocean::FoamOnset foam_onset;
+  Measured foam_fraction;  ///< of the whole surface
   /// Sum of k A of the Gerstner waves, and of the cascades 3 sqrt(mss), the steepness that one wave in 90
   /// exceeds: (ka)^2 is 2 mss on average, so that of Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
   double max_ka = 0.0;

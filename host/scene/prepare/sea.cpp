@@ -52,6 +52,18 @@ std::optional<ocean::GerstnerChoice> gerstner_choice(const Scene& scene, const o
                                .seed = scene.world.seed};
 }
 
+/// The wind at 10 m whose whitecaps a sea has: its own, else the one that raises such a sea.
+double whitecap_wind_mps(const Scene& scene, const Sea& sea) {
+  const ocean::SpectrumModel model = scene.ocean.spectrum.model;
+  if (!sea.measured && model != ocean::SpectrumModel::swell) {
+    return ocean::wind_at_10_m_mps(model, wind_of_sea(scene).wind_speed_mps);
+  }
+  if (scene.ocean.wind_speed_mps) return *scene.ocean.wind_speed_mps;
+  return ocean::wind_of_height_and_period_mps(ocean::integrate_sea_state(sea.spectrum).hs_m,
+                                              2.0 * std::numbers::pi / sea.spectrum.omega_peak_radps,
+                                              sea.spectrum.dispersion.gravity_mps2);
+}
+
 std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
   const ocean::HorizontalScale horizontal = ocean::horizontal_scale(gerstner_waves);
   if (!horizontal.is_limited) return {};
@@ -235,6 +247,8 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   sea.parameters = scene.ocean.parameters;
   sea.parameters.seed = scene.world.seed;
   sea.parameters.loop_period_s = scene.time.loop_period_s;
+  std::optional<double>& foam_fraction = sea.parameters.foam.fraction;
+  if (!foam_fraction) foam_fraction = ocean::whitecap_fraction(whitecap_wind_mps(scene, sea));
   sea.gerstner_choice = gerstner_choice(scene, sea.spectrum);
   const double split_radpm = sea.gerstner_choice ? sea.gerstner_choice->split_radpm : 0.0;
   sea.parameters.cascades = scene.ocean.patch_lengths_m.empty()

@@ -166,6 +166,10 @@ std::string needs_wind(const UseContext& context, const ocean::Wind&) {
              : needs_own_wind(context, context.scene.ocean);
 }
 
+std::string needs_no_onset(const UseContext&, const FoamParameters& foam) {
+  return foam.onset_jacobian ? "ocean.foam.onset_jacobian is set" : "";
+}
+
 std::string needs_ground(const UseContext& context, const OceanSection&) {
   return context.scene.terrain.is_given ? "" : "the scene has no terrain";
 }
@@ -482,19 +486,36 @@ Schema<OceanSection> gerstner_schema() {
 Schema<FoamParameters> foam_schema() {
   Schema<FoamParameters> schema("foam");
   return schema.rows(ParameterGroup::foam, sea,
-                     {{&FoamParameters::onset_jacobian,
+                     {{&FoamParameters::fraction,
+                       {.key = "fraction",
+                        .flag = "--foam-fraction",
+                        .high = ocean::most_foam,
+                        .help = "share of the sea that foam covers on average",
+                        .example = "0.05",
+                        .absent = "as much as whitecaps in this wind"},
+                       needs_no_onset},
+                      {&FoamParameters::onset_jacobian,
                        {.key = "onset_jacobian",
                         .flag = "--foam-onset",
                         .low = -10.0,
                         .high = 1.0,
-                        .help = "Jacobian below which foam forms; offing-view draws less foam in winds below "
-                                "6 m/s, none below 3.7 m/s"}},
+                        .help = "Jacobian below which foam forms",
+                        .example = "0.7",
+                        .absent = "computed from the spectrum, for the foam fraction"}},
                       {&FoamParameters::width,
                        {.key = "width",
                         .flag = "--foam-width",
                         .low = 0.001,
                         .high = 10.0,
-                        .help = "how far the Jacobian must fall below the onset for full foam cover"}},
+                        .help = "how far the Jacobian must fall below the onset for full foam cover",
+                        .example = "0.1",
+                        .absent = "computed from the spectrum"}},
+                      {&FoamParameters::min_wavelength_m,
+                       {.key = "min_wavelength_m",
+                        .flag = "--foam-min-wavelength-m",
+                        .unit = "m",
+                        .high = 1e4,
+                        .help = "shorter waves make no foam"}},
                       {&FoamParameters::decay_s,
                        {.key = "decay_s",
                         .flag = "--foam-decay-s",

@@ -53,23 +53,37 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   return FacetLight(mirrored + sky + (1.0 - mirrors) * water_kcdpm2, mirrored, mirrors * local.a);
 }
 
-float fresh_foam(vec3 gradient) {
-  float jacobian = (1.0 + gradient.x) * (1.0 + gradient.z) - gradient.y * gradient.y;
-  return clamp((water.foam_onset.x - jacobian) / water.foam_onset.y, 0.0, 1.0);
-}
-
-// How much of the water foam of this coverage hides here: patches and threads that drift with the water, as far as
-// a pixel shows them.
+// How much of the water foam of this coverage hides here: patches, threads and streaks that drift with the water,
+// as far as a pixel shows them.
 float foam_opacity(float coverage, vec2 label_m, float width_m) {
   if (coverage <= 0.0) return 0.0;
   vec2 place = water.foam_place + label_m / water.foam_tile_m;
   float texel_m = water.foam_tile_m / float(textureSize(foam_pattern, 0).x);
   float level = max(0.0, log2(width_m / texel_m));
   float fine = textureLod(foam_pattern, place, level).r;
-  float coarse = textureLod(foam_pattern, 0.23 * place.yx, max(0.0, level - 2.1)).r;
-  float pattern = mix(fine, coarse, 0.35);
+  vec2 streak_place = water.streak_place + label_m.x * water.streak_x + label_m.y * water.streak_z;
+  float streaks = textureLod(foam_pattern, streak_place, max(0.0, level - 2.0)).r;
+  // Fresh foam is whole; as it thins out the wind draws it into streaks.
+  float pattern = mix(fine, streaks, mix(water.streak_share, 0.35, smoothstep(0.1, 0.7, coverage)));
   float textured = clamp(0.5 + (pattern - 1.0 + coverage) / (0.35 + 0.2 * level), 0.0, 1.0);
   return mix(textured, coverage, clamp(0.25 * level - 0.5, 0.0, 1.0));
+}
+
+// Factors of FoamGathering for each cascade, as far as the longer waves are drawn: gerstner_share of those of Gerstner
+// waves, and of cascades what texels of this width show.
+vec4 gathering_factor(float width_m, float gerstner_share) {
+  vec4 factor = vec4(0.0);
+  float drawn = gerstner_share * water.gerstner_compression;  // variance
+  for (int i = 0; i < CASCADES; ++i) {
+    if (water.foam_factor[i] > 0.0) {
+      factor[i] = pow(water.foam_factor[i], min(drawn / max(water.foam_variance[i], 1e-9), 1.0));
+    }
+    if (i + 1 == CASCADES) break;
+    vec3 hidden = hidden_at(i, map_level(i, width_m)), all = hidden_at(i, float(water.level_count));
+    float shown = 1.0 - (hidden.x + hidden.z) / max(all.x + all.z, 1e-9);
+    drawn += shown * (water.foam_variance[i + 1] - water.foam_variance[i]);
+  }
+  return factor;
 }
 
 // A way aside by up to a texel of a foam map, in texels: long waves have maps of texels of metres, whose
@@ -99,27 +113,29 @@ void main() {
   vec2 slope = vec2(0.0);
   vec3 square = vec3(0.0);
   vec3 gradient = gerstner_gradient;
-  vec3 breaking_gradient = gerstner_gradient;
   float bare = 1.0;
   vec2 aside = ragged(label_m, width_m);
+  vec4 factor = gathering_factor(width_m, 1.0 - fract(strain.w));
   for (int tap = 0; tap < TAPS; ++tap) {
     vec2 tap_m = label_m + ((float(tap) + 0.5) / float(TAPS) - 0.5) * long_m;
     vec2 tap_slope = gerstner_slope;
     float tap_bare = 1.0;
+    float compression = -(gerstner_gradient.x + gerstner_gradient.z);
     for (int i = 0; i < CASCADES; ++i) {
       vec3 map_point = map_place(i, tap_m);
       float level = map_level(i, width_m);
-      if (water.breaking[i] > 0.0) {
+      if (water.foam_factor[i] > 0.0) {
         vec3 foam_point = map_place(i, tap_m + aside / waves.cascades[i].w);
-        tap_bare *= 1.0 - min(shares.cascades[i], 1.0) * textureLod(foam_map, foam_point, level).r;
+        float foam = shares.cascades[i] * factor[i] * exp(water.foam_steepness[i] * compression) *
+                     textureLod(foam_map, foam_point, level).r;
+        tap_bare *= 1.0 - min(foam, 1.0);
       }
       if (width_m >= waves.longest_wave_m[i]) continue;
       vec4 texel = textureLod(gradient_map, map_point, level);
       tap_slope += shares.cascades[i] * texel.xy;
-      vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(TAPS);
-      change *= shares.cascades[i];
-      gradient += change;
-      breaking_gradient += water.breaking[i] * change;
+      compression -= shares.cascades[i] * (texel.z + texel.w);
+      gradient += shares.cascades[i] / float(TAPS) *
+                  vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w);
     }
     slope += tap_slope / float(TAPS);
     square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(TAPS);
@@ -161,10 +177,7 @@ void main() {
   vec3 seen_light = 0.5 * (low.all + high.all);
   seen_light += shaded_sun_klx * sun_glitter(facets, seen, v, water.sun_direction, water.sun_radius_rad);
 
-  // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
-  // crests: it does not repeat as the maps do.
-  float pressed = -(gerstner_gradient.x + gerstner_gradient.z);
-  float coverage = water.whitecaps * max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
+  float coverage = 1.0 - bare;
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (water.sky_klx + shaded_sun_klx * max(dot(normal, water.sun_direction), 0.0));

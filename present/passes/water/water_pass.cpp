@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -26,16 +26,6 @@ constexpr int water_environment_unit = WaterMaps::first_free_unit, pattern_unit 
               first_view_unit = first_surface_unit + 4;
 static_assert(glsl::most_cascades == ocean::most_cascades &&
               1 << (glsl::most_levels - 1) == ocean::largest_size);
-// Waves shorter than 2 m break without drawing air under: they make no foam.
-constexpr double ripples_radpm = std::numbers::pi;
-
-/// Share of the foam of steep waves that a wind leaves: whitecaps begin at 3.7 m/s (Callaghan and others
-/// 2008), calmer seas break without drawing air under, however steep.
-double whitecap_share(double wind_speed_mps) {
-  constexpr double first_mps = 3.7, all_mps = 6.0;
-  return glm::smoothstep(first_mps, all_mps, wind_speed_mps);
-}
-
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
   return {slopes.xx, slopes.xz, slopes.zz};
 }
@@ -57,13 +47,38 @@ void set_light(const world::World& world, glsl::WaterUniforms& uniforms) {
   uniforms.attenuation_perm = water.attenuation_perm;
 }
 
-void set_waves(const world::World& world, const Camera& camera, glsl::WaterUniforms& uniforms) {
+glm::dvec2 within_100_tiles(const glm::dvec2& place) {
+  return place - glm::floor(place / 100.0) * 100.0;
+}
+
+/// Thin foam lies in streaks along a strong wind: their tile is drawn out, six times in a gale.
+void set_foam_pattern(const ocean::Wind& wind, const Camera& camera, glsl::WaterUniforms& uniforms) {
+  constexpr double tile_m = foam_tile_m, wide_tile_m = 4.0 * tile_m;
+  constexpr double first_streaks_mps = 8.0, gale_mps = 20.0, drawn_out = 6.0;
+  const double streaks = glm::smoothstep(first_streaks_mps, gale_mps, wind.wind_speed_mps);
+  const double long_tile_m = wide_tile_m * glm::mix(1.0, drawn_out, streaks);
+  const double cosine = std::cos(wind.wind_direction_rad), sine = std::sin(wind.wind_direction_rad);
+  const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
+  const glm::dvec2 x(cosine / long_tile_m, -sine / wide_tile_m), z(sine / long_tile_m, cosine / wide_tile_m);
+  uniforms.foam_place = within_100_tiles(eye_m / tile_m);
+  uniforms.foam_tile_m = foam_tile_m;
+  uniforms.streak_place = within_100_tiles(eye_m.x * x + eye_m.y * z);
+  uniforms.streak_x = x;
+  uniforms.streak_z = z;
+  uniforms.streak_share = static_cast<float>(glm::mix(0.35, 0.7, streaks));
+}
+
+void set_waves(world::World& world, const Camera& camera, glsl::WaterUniforms& uniforms) {
   const ocean::OceanParameters& sea = world.parameters().ocean;
   const int cascades = std::min(static_cast<int>(sea.cascades.size()), glsl::most_cascades);
   int hidden = 0;
   for (int i = 0; i < cascades; ++i) {
     const auto cascade = static_cast<std::size_t>(i);
-    uniforms.breaking[i] = sea.cascades[cascade].k_min_radpm < ripples_radpm ? 1.0f : 0.0f;
+    const ocean::FoamGathering gathering = world.ocean().foam_gathering()[cascade];
+    uniforms.foam_factor[i] =
+        world.ocean().foam_onset().cascades[cascade].mean > 0.0 ? static_cast<float>(gathering.factor) : 0.0f;
+    uniforms.foam_steepness[i] = static_cast<float>(gathering.steepness);
+    uniforms.foam_variance[i] = static_cast<float>(gathering.variance);
     for (const ocean::SlopeCovariance& level : world.hidden_slopes().cascades[cascade]) {
       uniforms.hidden_slopes[hidden++] = {to_vec3(level), 0.0f};
     }
@@ -71,11 +86,8 @@ void set_waves(const world::World& world, const Camera& camera, glsl::WaterUnifo
   uniforms.level_count = hidden / cascades;
   uniforms.ripples = to_vec3(world.hidden_slopes().ripples);
   uniforms.gerstner_slopes = to_vec3(world.hidden_slopes().gerstner_waves);
-  uniforms.whitecaps = static_cast<float>(whitecap_share(world.parameters().wind.wind_speed_mps));
-  uniforms.foam_onset = {sea.foam.onset_jacobian, sea.foam.width};
-  const glm::dvec2 foam_place = glm::dvec2(camera.eye_m.x, camera.eye_m.z) / static_cast<double>(foam_tile_m);
-  uniforms.foam_place = foam_place - glm::floor(foam_place / 100.0) * 100.0;
-  uniforms.foam_tile_m = foam_tile_m;
+  uniforms.gerstner_compression = static_cast<float>(ocean::compression_variance(sea.gerstner_waves));
+  set_foam_pattern(world.parameters().wind, camera, uniforms);
 }
 
 }  // namespace

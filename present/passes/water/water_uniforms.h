@@ -58,15 +58,17 @@ struct SurfaceUniforms {
 struct WaterUniforms {
   // Covariance xx, xz, zz that each mip level of a cascade hides.
   vec4 hidden_slopes[most_cascades * most_levels];
-  vec4 breaking;  // of each cascade, 1: its waves are long enough to draw air under, else 0
-  vec3 ripples;   // covariance of the slopes that no map has
+  // How longer waves gather the foam of each cascade (host/ocean/surface/foam_onset.h); factor 0: it has none.
+  vec4 foam_factor;
+  vec4 foam_steepness;
+  vec4 foam_variance;  // of the compression by longer waves
+  vec3 ripples;  // covariance of the slopes that no map has
   int level_count;
   vec3 gerstner_slopes;  // covariance of the slopes of all Gerstner waves
-  float whitecaps;       // share of the foam of steep waves that the wind leaves
+  float foam_tile_m;     // side of the foam's tile
   vec3 sun_direction;
   float sun_radius_rad;
   vec3 sun_klx;              // on a surface that faces the sun
-  float foam_tile_m;         // side of the foam's tile
   vec3 sky_klx;              // on a level surface, by the sky alone
   float views_margin;        // width of the pictures of WaterViews over that of the water's
   vec3 water_of_sky_kcdpm2;  // light from below the surface that came from the sky
@@ -74,8 +76,13 @@ struct WaterUniforms {
   vec3 water_of_sun_kcdpm2;  // and from the sun, where no cloud shades it
   float debug_height_m;      // height that is drawn fully red, its negative fully blue
   vec3 attenuation_perm;     // of light in the water
-  vec2 foam_place;           // the eye's place on the foam's tile
-  vec2 foam_onset;           // Jacobian where foam begins, and how far below it covers all
+  float gerstner_compression;  // variance of that by Gerstner waves
+  vec2 foam_place;             // the eye's place on the foam's tile
+  // Of a larger tile that lies along the wind: the eye's place, and how far a metre of x and of z goes on it.
+  vec2 streak_place;
+  vec2 streak_x;
+  vec2 streak_z;
+  float streak_share;  // of the pattern of thin foam
 };
 
 struct UnderwaterUniforms {

@@ -1,5 +1,7 @@
-// Foam against its definition: max over j = 0 ... M of c(J(t_q - j step)) e^{-j step / decay}, t_q = step
-// floor(t / step), M = ceil(4 decay / step), c(J) = clamp((onset - J) / width, 0, 1).
+// Foam against its definition: max over j = 0 ... M of c(J(t_q - j step)) e^{-(t - t_q + j step) / decay} and
+// of c(J(t_q + step)) (t - t_q) / step, with t_q = step floor(t / step), M = ceil(4 decay / step), c(J) =
+// clamp((onset
+// - J) / width, 0, 1).
 //
 // Coverage is kept in half precision: 2^-11 relative. J is that of read_surface in single precision: where c
 // is between 0 and 1, 1e-6 / width more. Gate 2^-11 + 1e-5.
@@ -27,10 +29,12 @@ class FoamTest : public testing::Test {
  protected:
   // Low waves: an onset near 1 gives every coverage from 0 to 1.
   OceanParameters parameters() const {
-    return {.size = size,
-            .cascades = cascades_from_patches(std::vector{120.0, 21.0}, size),
-            .choppiness = 1.2,
-            .foam = {.onset_jacobian = 1.0, .width = 0.3, .decay_s = 0.8, .step_s = 0.25}};
+    return {
+        .size = size,
+        .cascades = cascades_from_patches(std::vector{120.0, 21.0}, size),
+        .choppiness = 1.2,
+        .foam = {
+            .onset_jacobian = 1.0, .width = 0.3, .min_wavelength_m = 0.0, .decay_s = 0.8, .step_s = 0.25}};
   }
   Ocean sea(const OceanParameters& wanted) { return Ocean(device_, spectrum_, wanted); }
 
@@ -40,12 +44,14 @@ class FoamTest : public testing::Test {
     const double newest_s = step_s * std::floor(time_s / step_s + 1e-9);
     const int count = static_cast<int>(std::ceil(4.0 * foam.decay_s / step_s - 1e-9));
     std::vector<double> expected(static_cast<std::size_t>(size * size), 0.0);
-    for (int j = 0; j <= count; ++j) {
+    for (int j = -1; j <= count; ++j) {
       sea.at(newest_s - j * step_s);
       const std::vector<float> jacobian = sea.read_surface(cascade).jacobian;
+      const double since_s = time_s - newest_s;
+      const double weight = j < 0 ? since_s / step_s : std::exp(-(since_s + j * step_s) / foam.decay_s);
       for (std::size_t i = 0; i < expected.size(); ++i) {
-        const double coverage = std::clamp((foam.onset_jacobian - jacobian[i]) / foam.width, 0.0, 1.0);
-        expected[i] = std::max(expected[i], coverage * std::exp(-j * step_s / foam.decay_s));
+        const double coverage = std::clamp((*foam.onset_jacobian - jacobian[i]) / *foam.width, 0.0, 1.0);
+        expected[i] = std::max(expected[i], coverage * weight);
       }
     }
     return expected;

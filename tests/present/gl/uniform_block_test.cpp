@@ -61,10 +61,9 @@ TEST_F(UniformBlockTest, StructsLieAsInTheShader) {
                     uniform_block("Water", "WaterUniforms water; ShapeUniforms shape;")});
   water.use();
   const auto shape = static_cast<int>(sizeof(glsl::WaterUniforms));
-  EXPECT_EQ(offset_of("water.breaking"), offsetof(glsl::WaterUniforms, breaking));
+  EXPECT_EQ(offset_of("water.foam_steepness"), offsetof(glsl::WaterUniforms, foam_steepness));
   EXPECT_EQ(offset_of("water.level_count"), offsetof(glsl::WaterUniforms, level_count));
   EXPECT_EQ(offset_of("water.foam_place"), offsetof(glsl::WaterUniforms, foam_place));
-  EXPECT_EQ(offset_of("water.foam_onset"), offsetof(glsl::WaterUniforms, foam_onset));
   EXPECT_EQ(offset_of("shape.cells"), shape + static_cast<int>(offsetof(glsl::ShapeUniforms, cells)));
   EXPECT_EQ(offset_of("shape.gerstner_mean_square"),
             shape + static_cast<int>(offsetof(glsl::ShapeUniforms, gerstner_mean_square)));

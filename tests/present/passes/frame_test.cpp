@@ -43,6 +43,9 @@ class FrameTest : public testing::Test {
     world::WorldParameters parameters;
     parameters.spectrum = ocean::make_sea_spectrum(spectrum);
     parameters.ocean.size = 64;
+    parameters.ocean.foam.fraction = 0.02;
+    parameters.wind.wind_speed_mps = 8.0;  // streaks' tiles of 36 m: 1000 patches hold whole ones
+    parameters.wind.wind_speed_mps = 8.0;  // which draws no streaks
     const std::array lengths{patch_m};
     parameters.ocean.cascades = ocean::cascades_from_patches(lengths, parameters.ocean.size);
     parameters.sun.sun_direction = sky::direction_of(150.0 * degree, 30.0 * degree);
