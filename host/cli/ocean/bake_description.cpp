@@ -46,15 +46,17 @@ Json values_json(const BakeSettings& settings) {
           {"absolute_error", is_half ? half_absolute_error : 0.0}};
 }
 
-Json maps_json(const std::vector<BakedMap>& maps, std::size_t cascade) {
+Json maps_json(const BakeSettings& settings, const std::vector<BakedMap>& maps, std::size_t cascade) {
   Json json = Json::object();
   for (const BakedMap& map : maps) {
     if (map.cascade != cascade) continue;
     Json channels = Json::array();
     for (const BakedMap::Channel& channel : map.channels) channels.push_back(channel.name);
-    json[std::string(map.name)] = {{"unit", map.unit.empty() ? "1" : map.unit},
-                                   {"file", map.file + ".%04d.exr"},
-                                   {"channels", channels}};
+    Json& of_map = json[std::string(map.name)];
+    of_map = {{"unit", map.unit.empty() ? "1" : map.unit},
+              {"file", map.file + ".%04d.exr"},
+              {"channels", std::move(channels)}};
+    if (map.name == "velocity") of_map["depth_m"] = settings.velocity_depth_m;
   }
   return json;
 }
@@ -71,7 +73,7 @@ Json cascades_json(const scene::Sea& sea, const BakeSettings& settings, const sc
                     {"k_max_radpm", cascades[i].k_max_radpm},
                     {"m0_m2", energy.cascade_m0_m2[i]},
                     {"tileable", i > 0 || !is_first_whole},
-                    {"maps", maps_json(maps, i)}});
+                    {"maps", maps_json(settings, maps, i)}});
   }
   return json;
 }
@@ -91,6 +93,11 @@ Json gerstner_json(const scene::Sea& sea, const BakeSettings& settings) {
           {"choppiness", start.horizontal_scale()},
           {"m0_m2", energy_m2(sea.parameters.gerstner_waves.waves)},
           {"waves", std::move(waves)}};
+}
+
+Json mesh_json(MeshFormat format) {
+  if (format == MeshFormat::none) return {};
+  return format == MeshFormat::obj ? "ocean.%04d.obj" : "ocean.%04d.ply";
 }
 
 Json left_out_json(const scene::Scene& scene, const scene::Sea& sea, GerstnerUse use) {
@@ -134,6 +141,7 @@ nlohmann::ordered_json bake_description(const scene::Scene& scene, const scene::
           {"choppiness", sea.parameters.choppiness},
           {"depth_m", number_or_null(sea.spectrum.dispersion.depth_m)},
           {"cascades", cascades_json(sea, settings, energy)},
+          {"mesh", mesh_json(settings.mesh)},
           {"gerstner", gerstner_json(sea, settings)},
           {"left_out", left_out_json(scene, sea, settings.gerstner)}};
 }

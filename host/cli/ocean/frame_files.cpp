@@ -154,7 +154,8 @@ void FrameFiles::prepare_folder(const GivenInputs& inputs) const {
 void FrameFiles::require_own_files(const Listing& listing) const {
   // Frames come before what is made with them, so that another process that has just begun cannot have made
   // products alone: its frames are looked for after its products.
-  bool has_own_frames = hash_in(description(), read_description) == scene_hash_;
+  const std::optional<std::string> described = hash_in(description(), read_description);
+  bool has_own_frames = described == scene_hash_;
   std::vector<fs::path> damaged;
   for (const fs::path& file : list_folder(settings_.folder).exr_files) {
     const std::optional<std::string> hash = hash_in(file, read_exr_attributes);
@@ -170,14 +171,16 @@ void FrameFiles::require_own_files(const Listing& listing) const {
           "name another folder with -o, or replace the frames with --force");
     }
   }
+  const auto refuse = [](const fs::path& file, const char* found) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected a file of this bake, found {}", file.string(), found),
+                "name another folder with -o, or replace the file with --force");
+  };
+  if (described && *described != scene_hash_) refuse(description(), "another");
   if (has_own_frames) return;  // an interrupted bake: it resumes, and makes damaged frames again
   for (const std::vector<fs::path>& files : {damaged, listing.products}) {
     for (const fs::path& file : files) {
-      if (!will_write(file)) continue;
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("{}: expected a file of this bake, found no frame of this bake in the folder",
-                              file.string()),
-                  "name another folder with -o, or replace the file with --force");
+      if (will_write(file)) refuse(file, "no frame of this bake in the folder");
     }
   }
 }

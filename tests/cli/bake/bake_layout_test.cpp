@@ -233,12 +233,11 @@ TEST_F(BakeLayout, DescriptionBelongsToItsBake) {
   std::filesystem::remove(file);
   EXPECT_THAT(bake("out", {}).output, HasSubstr("0 frames written"));
   EXPECT_EQ(file_content(file), own);
-  for (const char* frame : {"ocean.c0.0003.exr", "ocean.c1.0003.exr"})
+  for (const char* frame : {"ocean.c0.0003.exr", "ocean.c1.0003.exr"}) {
     std::filesystem::remove(folder("out") / frame);
+  }
   EXPECT_EQ(try_bake("out", {"--seed", "4"}).exit_code, 2);
   EXPECT_THAT(bake("out", {}).output, HasSubstr("1 frame written"));
-  for (const char* frame : {"ocean.c0.0003.exr", "ocean.c1.0003.exr"})
-    std::filesystem::remove(folder("out") / frame);
   std::ofstream(file) << "{\"mine\": 1}";
   EXPECT_THAT(try_bake("out", {}).errors, HasSubstr("ocean.json: expected a file of this bake"));
   EXPECT_EQ(file_content(file), "{\"mine\": 1}");

@@ -20,7 +20,7 @@ SEA = ["--size", "16", "--patch-m", "200,23", "--frames", "2:3", "--fps", "8", "
 GERSTNER = ["--gerstner-count", "4", "--gerstner-split-m", "60"]
 BAKES = {
     "usual": [],
-    "combined": ["--layout", "combined", "--half", "--loop-period-s", "2", "--depth-m", "30"],
+    "combined": ["--layout", "combined", "--half", "--loop-period-s", "2", "--depth-m", "30", "--mesh", "ply"],
     "rgb": ["--layout", "rgb", "--axes", "z-up", "--velocity", *GERSTNER],
     "whole": ["--channels", "displacement,normal", "--include-gerstner", *GERSTNER],
 }
