@@ -36,13 +36,12 @@ WaveSpectrum spectrum_of(const ModalSea& modes) {
     throw Error(ErrorKind::bad_input, "modes: expected waves on a patch, found none",
                 "give waves a patch, or waves alone as [[ocean.swell]]");
   }
-  // Room on both sides, so that waves of one frequency have a band too.
-  constexpr double room = 1.01;
-  const double low = std::log(lowest_hz / room), high = std::log(highest_hz * room);
+  // A step of room on both sides, where E falls to 0; waves of one frequency get a narrow band.
+  constexpr double least_range = 0.02;
+  const double step = std::max(std::log(highest_hz / lowest_hz), least_range) / (node_frequencies - 3);
   WaveSpectrum spectrum;
   for (std::size_t i = 0; i < node_frequencies; ++i) {
-    spectrum.frequencies_hz.push_back(
-        std::exp(std::lerp(low, high, static_cast<double>(i) / (node_frequencies - 1))));
+    spectrum.frequencies_hz.push_back(lowest_hz * std::exp((static_cast<double>(i) - 1.0) * step));
   }
   for (std::size_t i = 0; i < node_directions; ++i) {
     spectrum.directions_rad.push_back(2.0 * pi * static_cast<double>(i) / node_directions);

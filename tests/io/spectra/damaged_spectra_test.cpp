@@ -11,9 +11,14 @@
 #include "host/base/error.h"
 #include "host/io/spectra/datawell_spectra.h"
 #include "host/io/spectra/ndbc_spectra.h"
+#include "host/io/spectra/octopus_spectra.h"
+#include "host/io/spectra/read_spectra.h"
+#include "host/io/spectra/spotter_spectra.h"
 #include "host/io/spectra/swan_spectra.h"
+#include "host/io/spectra/triaxys_spectra.h"
 #include "host/io/spectra/ww3_spectra.h"
 #include "tests/io/spectra/spectrum_checks.h"
+#include "tests/io/temporary_folder.h"
 
 namespace offing::spectra {
 namespace {
@@ -66,6 +71,29 @@ std::vector<Format> formats() {
        "10\r\n85\r\n4\r\n.5\r\n25\r\n19\r\n7\r\n-1\r\n3\r\n2\r\n213\r\n68\r\n0.1,1.0,270,30,-1,4\r\n.2,5E-1,"
        "0,70,0,9\r\n",
        [](std::string_view text) { return parse_datawell(text, "f"); }},
+      {"triaxys 1-D",
+       "TRIAXYS BUOY DATA REPORT - A - B\nTYPE = NON-DIRECTIONAL SPECTRUM\nDATE = 2018-01-31 21:00(UTC)\n"
+       "NUMBER OF FREQUENCIES = 3\nCOLUMN 1 = FREQUENCY (Hz)\n0.0 0\n0.1 1E-2\n0.2 2.5\n",
+       [](std::string_view text) { return parse_triaxys(text, "f"); }},
+      {"triaxys 2-D",
+       "TRIAXYS BUOY DATA REPORT\nTYPE\t= DIRECTIONAL SPECTRUM\nNUMBER OF FREQUENCIES = 2\n"
+       "INITIAL FREQUENCY (Hz) = .1\nFREQUENCY SPACING (Hz) = .1\nDIRECTION SPACING (DEG) = 120\n"
+       "ROWS = 0\n 0 1 2 0\n 0 1E0 0 0\n",
+       [](std::string_view text) { return parse_triaxys(text, "f"); }},
+      {"octopus",
+       "Forecast valid for 11-Mar-2018 00:00:00\nnfreqs,2\nndir,3\nnrecs,1\nLatitude,-39\nLongitude,173\n"
+       "Depth,102.5\n\nCCYYMM,DDHHmm,LPoint\n201803,'110600,a_20180311_06z\nfreq,.1,.2,anspec\n0,0,1,1,\n"
+       "120,2,0,2,\n240,0,0,0,\nfSpec,2,1,\nden,2,1,\n",
+       [](std::string_view text) { return parse_octopus(text, "f"); }},
+      {"spotter JSON",
+       "{\"data\":{\"spotterId\":\"S\",\"frequencyData\":[{\"frequency\":[0.1,0.2],\"varianceDensity\":[1,2],"
+       "\"a1\":[0.5,0.1],\"b1\":[0,0.1],\"a2\":[0.2,null],\"b2\":[0,0],\n\"direction\":[270,90],"
+       "\"directionalSpread\":[40,50],\"timestamp\":\"2018-02-14T00:27:19.000Z\"}]}}",
+       [](std::string_view text) { return parse_spotter(text, "f"); }},
+      {"spotter CSV",
+       "Epoch Time ,f_0 ,f_1 ,varianceDensity_0 ,varianceDensity_1 ,direction_0 ,direction_1 "
+       ",directionalSpread_0 ,directionalSpread_1\n1518568039 ,0.1 ,0.2 ,1 ,2 ,270 ,- ,40 ,50\n",
+       [](std::string_view text) { return parse_spotter(text, "f"); }},
   };
 }
 
@@ -83,6 +111,18 @@ void expect_spectra_or_error(const Format& format, const std::string& text) {
 
 TEST(DamagedSpectra, WholeFilesAreRead) {
   for (const Format& format : formats()) EXPECT_NO_THROW(format.parse(format.text)) << format.name;
+}
+
+// Fails if a format is not known by its content alone, whatever the name of its file.
+TEST(DamagedSpectra, NewFormatsAreKnownByContent) {
+  const TemporaryFolder folder;
+  for (const Format& format : formats()) {
+    const std::string_view name = format.name;
+    if (!name.starts_with("triaxys") && !name.starts_with("octopus") && !name.starts_with("spotter"))
+      continue;
+    test::write_text(folder.path() / "f", format.text);
+    EXPECT_EQ(read_spectra(folder.path() / "f")[0].energy, format.parse(format.text)[0].energy) << name;
+  }
 }
 
 TEST(DamagedSpectra, EveryPrefixIsReadOrRefused) {

@@ -24,8 +24,9 @@ SeaMode deep_water_wave(double amplitude_m, double frequency_hz, double directio
 }
 
 // Fails if energy is lost or moves to another frequency or direction on the whole: m0 = 0.5 + 0.125 m^2, Tm01
-// of 0.5 at 0.1 Hz and 0.125 at 0.2 Hz, and the direction of the waves' moment. E is linear in between, whose
-// second order changes m1 by a twelfth of a step squared: steps of 1.1 %, 1e-5. Limit 1e-4.
+// of 0.5 at 0.1 Hz and 0.125 at 0.2 Hz, and the direction of the waves' moment. E is linear in between: the
+// mean frequency of a node's triangle is a third of a step squared above it, 4e-5 for steps of 1.1 %. Limit
+// 1e-4.
 TEST(ModeSpectrum, KeepsVarianceFrequencyAndDirection) {
   const ModalSea modes{.modes = {deep_water_wave(1.0, 0.1, 0.5),
                                  deep_water_wave(0.5, 0.2, 6.0),
