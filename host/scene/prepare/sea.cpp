@@ -54,14 +54,21 @@ std::optional<ocean::GerstnerChoice> gerstner_choice(const Scene& scene, const o
 
 /// The wind at 10 m whose whitecaps a sea has: its own, else the one that raises such a sea.
 double whitecap_wind_mps(const Scene& scene, const Sea& sea) {
-  const ocean::SpectrumModel model = scene.ocean.spectrum.model;
-  if (!sea.measured && model != ocean::SpectrumModel::swell) {
-    return ocean::wind_at_10_m_mps(model, wind_of_sea(scene).wind_speed_mps);
+  const ocean::SpectrumParameters& spectrum = scene.ocean.spectrum;
+  if (!sea.measured && spectrum.model != ocean::SpectrumModel::swell) {
+    return ocean::is_by_height(spectrum) ? sea.wind.wind_speed_mps
+                                         : ocean::wind_at_10_m_mps(spectrum.model, sea.wind.wind_speed_mps);
   }
   if (scene.ocean.wind_speed_mps) return *scene.ocean.wind_speed_mps;
   return ocean::wind_of_height_and_period_mps(ocean::integrate_sea_state(sea.spectrum).hs_m,
                                               2.0 * std::numbers::pi / sea.spectrum.omega_peak_radps,
                                               sea.spectrum.dispersion.gravity_mps2);
+}
+
+/// Unless the scene says how much, foam covers what whitecaps do.
+void add_whitecaps(const Scene& scene, Sea& sea) {
+  std::optional<double>& fraction = sea.parameters.foam.fraction;
+  if (!fraction) fraction = ocean::whitecap_fraction(whitecap_wind_mps(scene, sea));
 }
 
 std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
@@ -207,6 +214,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   }
   if (!scene.ocean.modes_file.empty()) {
     Sea sea = sea_of_modes(scene);
+    add_whitecaps(scene, sea);
     if (warnings == Warnings::logged) log_warnings(scene, sea);
     return sea;
   }
@@ -247,8 +255,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   sea.parameters = scene.ocean.parameters;
   sea.parameters.seed = scene.world.seed;
   sea.parameters.loop_period_s = scene.time.loop_period_s;
-  std::optional<double>& foam_fraction = sea.parameters.foam.fraction;
-  if (!foam_fraction) foam_fraction = ocean::whitecap_fraction(whitecap_wind_mps(scene, sea));
+  add_whitecaps(scene, sea);
   sea.gerstner_choice = gerstner_choice(scene, sea.spectrum);
   const double split_radpm = sea.gerstner_choice ? sea.gerstner_choice->split_radpm : 0.0;
   sea.parameters.cascades = scene.ocean.patch_lengths_m.empty()
