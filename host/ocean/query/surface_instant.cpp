@@ -65,14 +65,16 @@ class Cell {
 
 SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const GerstnerSea& gerstner_waves,
                                double time_s, const WaterQuery& query, const Dispersion& dispersion,
-                               std::vector<WakeMaps::Instant> wakes, std::optional<ShoalsInstant> shoals)
+                               std::vector<WakeMaps::Instant> wakes, std::optional<ShoalsInstant> shoals,
+                               double error_rms_m)
     : cascades_(std::move(cascades)),
       size_(size),
       gerstner_waves_(gerstner_waves, time_s, query.min_wavelength_m),
       wakes_(std::move(wakes)),
       shoals_(std::move(shoals)),
       query_(query),
-      weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2) {
+      weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2),
+      error_rms_m_(error_rms_m) {
   require_valid_query(query, dispersion.depth_m);
   if (!shoals_) return;
   for (const GerstnerInstant::Wave& wave : gerstner_waves_.waves()) {
@@ -160,6 +162,7 @@ WaterSample SurfaceInstant::at(const WaterPoint& point) const {
   sample.slope_z = static_cast<float>((xx * sea.slope_z - xz * sea.slope_x) / determinant);
   sample.residual_m = static_cast<float>(
       std::hypot(label.x_m + sea.displacement_x_m - point.x_m, label.z_m + sea.displacement_z_m - point.z_m));
+  sample.error_rms_m = static_cast<float>(error_rms_m_);
   if (query_.fields == WaterQuery::Fields::surface) return sample;
   const Shares shares = shares_at(label);
   ParticleVelocity velocity =

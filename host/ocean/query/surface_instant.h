@@ -14,8 +14,8 @@
 
 namespace offing::ocean {
 
-/// A composed sea at one time in host memory, for single points: what ocean/surface_query.cl answers, in
-/// double precision and without a device.
+/// A composed sea at one time in host memory, for single points: what ocean/surface_query.cl answers from a
+/// frame's maps, in double precision and without a device. There is no acceleration.
 class SurfaceInstant {
  public:
   /// One cascade's maps, [n][n][4]: those of SurfaceMaps, and VelocityMap's at the query's depth or nothing.
@@ -27,7 +27,8 @@ class SurfaceInstant {
   /// Throws Error(bad_input) for Gerstner waves, time or query out of range.
   SurfaceInstant(std::vector<Maps> cascades, int size, const GerstnerSea& gerstner_waves, double time_s,
                  const WaterQuery& query, const Dispersion& dispersion,
-                 std::vector<WakeMaps::Instant> wakes = {}, std::optional<ShoalsInstant> shoals = {});
+                 std::vector<WakeMaps::Instant> wakes = {}, std::optional<ShoalsInstant> shoals = {},
+                 double error_rms_m = 0.0);
 
   /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
   WaterSample at(const WaterPoint& point) const;
@@ -61,7 +62,7 @@ class SurfaceInstant {
   std::optional<ShoalsInstant> shoals_;
   std::vector<std::size_t> bands_;  // of each Gerstner wave, over shoals
   WaterQuery query_;
-  double weight_papm_;
+  double weight_papm_, error_rms_m_;
 };
 
 }  // namespace offing::ocean

@@ -172,7 +172,8 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
           query,
           sea.dispersion,
           sea.wakes.read(),
-          sea.shoals ? std::optional(sea.shoals->instant()) : std::nullopt};
+          sea.shoals ? std::optional(sea.shoals->instant()) : std::nullopt,
+          sea.error_rms_m};
 }
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)

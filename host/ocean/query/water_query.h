@@ -51,9 +51,9 @@ struct WaterQuery {
   enum class Accuracy {
     automatic,   ///< exact for up to most_exact_points points, else maps
     exact,       ///< the sum over all modes, for each point
-    maps,        ///< splines on maps that are made for queries, of up to four frames' cost
-    frame_maps,  ///< straight lines on the maps of a frame, as they are drawn: the fastest; the accelerations
-                 ///< of the cascades are 0, and short waves lose a quarter of their slopes
+    maps,        ///< splines on maps that are made for queries
+    frame_maps,  ///< straight lines on the maps of a frame, as they are drawn: the fastest. There is no
+                 ///< acceleration, and short waves lose a quarter of their slopes
   } accuracy = Accuracy::automatic;
 };
 

@@ -32,8 +32,11 @@ constexpr int row_budget = 1 << 22;  // modes times rows
 
 class RandomModes {
  public:
+  /// The row of the shortest waves along z: kernels read it, or leave it out as they may.
+  enum class LastRow { full, empty };
+
   /// Of `size` rows, for fields of `samples` along a side.
-  RandomModes(int size, int samples, int planes)
+  RandomModes(int size, int samples, int planes, LastRow last_row)
       : size_(size),
         samples_(samples),
         columns_((size / 2 + MODE_BLOCK_COLUMNS - 1) / MODE_BLOCK_COLUMNS * MODE_BLOCK_COLUMNS),
@@ -47,7 +50,7 @@ class RandomModes {
     const int most = std::min(size, samples) / 2;
     for (int plane = 0; plane < planes; ++plane) {
       for (int row = 0; row < size; ++row) {
-        if (samples != size && std::abs(signed_row(row)) >= most) continue;
+        if (last_row == LastRow::empty && std::abs(signed_row(row)) >= most) continue;
         for (int column = 1; column < most; ++column)
           amplitude_[place(plane, row, column)] = static_cast<float>(random()) * 0x1p-31f - 1.0f;
       }
@@ -163,7 +166,7 @@ constexpr Complex i_unit{0.0, 1.0};
 double surface_self_test(const ocl::Device& device, ModeTransform& transform, const ModeTransform::Grid& grid,
                          const ModeTransform::Request& /*request*/) {
   const int size = grid.size;
-  const RandomModes modes(size, size, usual_planes);
+  const RandomModes modes(size, size, usual_planes, RandomModes::LastRow::full);
   const ModeBuffers buffers(device, modes);
   ocl::Buffer<float> displacement = map_for(device, size), gradient = map_for(device, size);
   transform.advance(buffers.amplitude, buffers.rate, buffers.wavenumber_step, 0u, 0.0f, 1.0f);
@@ -189,7 +192,7 @@ double surface_self_test(const ocl::Device& device, ModeTransform& transform, co
 double velocity_self_test(const ocl::Device& device, ModeTransform& transform,
                           const ModeTransform::Grid& grid, const ModeTransform::Request& /*request*/) {
   const int size = grid.size;
-  const RandomModes modes(size, size, usual_planes);
+  const RandomModes modes(size, size, usual_planes, RandomModes::LastRow::full);
   const ModeBuffers buffers(device, modes);
   ocl::Buffer<float> velocity = map_for(device, size);
   // At the surface of bottomless water, where no factor is left but that of the direction.
@@ -210,7 +213,7 @@ double query_map_self_test(const ocl::Device& device, ModeTransform& transform,
                            const ModeTransform::Grid& grid, const ModeTransform::Request& request) {
   const auto n = static_cast<std::size_t>(grid.size),
              map_fields = static_cast<std::size_t>(request.half_fields);
-  const RandomModes modes(request.mode_rows, grid.size, 2 * QUERY_FIELDS);
+  const RandomModes modes(request.mode_rows, grid.size, 2 * QUERY_FIELDS, RandomModes::LastRow::empty);
   const ocl::Buffer<float> fields(device, modes.amplitude(), "self-test fields");
   ocl::Buffer<float> filter(device, static_cast<std::size_t>(std::max(request.mode_rows, grid.size)),
                             "self-test filter");

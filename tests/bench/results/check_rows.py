@@ -12,7 +12,13 @@ FIELDS = ["name", "size", "ours_ms", "peer", "peer_ms", "ratio", "ratio_low", "s
 SIZES = {
     "fft": ("16", ["fft_batch16", "fft_batch16_alone"]),
     "ocean": ("32", ["ocean"]),
-    "queries": ("64", ["queries", "queries_surface"]),
+    "queries": (
+        "64",
+        [
+            *(f"queries{what}{fields}" for what in ("", "_maps", "_make_maps") for fields in ("", "_surface")),
+            "queries_exact",
+        ],
+    ),
     "viewshed": ("64", ["viewshed_valleys", "viewshed_valleys_curved"]),
     "gerstner": ("64", ["gerstner", "gerstner_alone"]),
     "curvature": (
