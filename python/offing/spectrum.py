@@ -64,12 +64,14 @@ class Spectrum:
         return cls(scene._scene.tabulate_spectrum(np.ascontiguousarray(frequencies_hz, dtype=np.float64), directions))
 
     @classmethod
-    def model(cls, name: str, *, wind_speed_mps: float = 10.0, wind_direction_rad: float = 0.0,
+    def model(cls, name: str, *, wind_speed_mps: float | None = None, wind_direction_rad: float = 0.0,
               frequencies_hz: npt.ArrayLike | None = None, directions: int = 36, **values) -> "Spectrum":
         """A model spectrum: "jonswap", "pm", "tma" or "phillips". `values` are other keys of [ocean], such as fetch_m,
         depth_m and gamma; hs_m with tp_s or tz_s replaces wind and fetch; swell=[{"hs_m": 1.0, "tp_s": 14.0,
-        "direction_deg": 60.0}] adds swells. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
-        wind = {"speed_mps": float(wind_speed_mps), "direction_deg": math.degrees(wind_direction_rad) % 360.0}
+        "direction_deg": 60.0}] adds swells. The wind speed is 10 m/s, or with hs_m that of such a sea. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
+        wind = {"direction_deg": math.degrees(wind_direction_rad) % 360.0}
+        if wind_speed_mps is not None:
+            values["wind_speed_mps"] = float(wind_speed_mps)
         return cls.of_scene(Scene({"wind": wind, "ocean": {"spectrum": name, **values}}), frequencies_hz, directions)
 
     @property

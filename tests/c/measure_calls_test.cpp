@@ -38,6 +38,16 @@ TEST_F(MeasureCallsTest, TheSeaHasWhatWasAsked) {
   EXPECT_EQ(found.asked_tm02_s, asked.tm02_s);
   EXPECT_NEAR(found.asked_mean_direction_rad, asked.mean_direction_rad, 1e-12);
   EXPECT_EQ(found.asked_mss, asked.mss);
+  EXPECT_EQ(found.asked_peak_period_s, asked.peak_period_s);
+  EXPECT_NEAR(found.asked_peak_direction_rad, asked.peak_direction_rad, 1e-12);
+  EXPECT_EQ(found.asked_spread_rad, asked.spread_rad);
+  EXPECT_NEAR(found.resolved_peak_period_s / asked.peak_period_s, 1.0, 0.05);
+  EXPECT_NEAR(found.resolved_spread_rad / asked.spread_rad, 1.0, 0.05);
+  EXPECT_GT(found.peak_period_standard_error_s, 0.0);
+  EXPECT_LT(std::abs(found.peak_period_s - found.resolved_peak_period_s),
+            5.0 * found.peak_period_standard_error_s);
+  EXPECT_NEAR(std::remainder(found.peak_direction_rad - asked.peak_direction_rad, 6.283185307), 0.0, 0.5);
+  EXPECT_NEAR(found.spread_rad / asked.spread_rad, 1.0, 0.2);
   EXPECT_GT(found.hs_standard_error_m, 0.0);
   EXPECT_LT(found.hs_standard_error_m, 0.05 * asked.hs_m);
   EXPECT_LT(std::abs(found.hs_m - found.asked_hs_m), 5.0 * found.hs_standard_error_m);

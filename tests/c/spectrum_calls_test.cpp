@@ -157,6 +157,23 @@ TEST_F(SpectrumCallsTest, TablesHoldTheEnergyOfModels) {
   EXPECT_NEAR(4.0 * std::sqrt(m0) / state().hs_m, 1.0, 1e-3);
 }
 
+// Fails if height, period and swells of a scene do not reach a program in C, or the new figures are of
+// another quantity. Peak and height are exact to the quadrature's 1e-5; cos^2s of 12 degrees has that spread.
+TEST_F(SpectrumCallsTest, SeasComeByHeightAndPeriod) {
+  parse("version = 1\n[ocean]\nspectrum = \"tma\"\ndepth_m = 8\nhs_m = 1.5\ntp_s = 8\n");
+  EXPECT_NEAR(state().hs_m, 1.5, 1e-4);
+  EXPECT_NEAR(state().peak_period_s, 8.0, 1e-4);
+  EXPECT_NEAR(state().peak_direction_rad, 0.0, 1e-6);
+  offing_free_scene(scene_);
+  parse(
+      "version = 1\n[ocean]\nhs_m = 0.001\ntp_s = 1\n"
+      "[[ocean.swell]]\nhs_m = 2\ntp_s = 13\ndirection_deg = 90\nspread_deg = 12\n");
+  EXPECT_NEAR(state().hs_m, 2.0, 1e-4);
+  EXPECT_NEAR(state().peak_period_s, 13.0, 1e-3);
+  EXPECT_NEAR(state().peak_direction_rad, 0.5 * std::numbers::pi, 1e-3);
+  EXPECT_NEAR(state().spread_rad, 12.0 * std::numbers::pi / 180.0, 2e-3);
+}
+
 // Fails if arrays that are none make a sea.
 TEST_F(SpectrumCallsTest, RefusesBadArrays) {
   Bump bump;

@@ -34,7 +34,7 @@ constexpr StarterValue values[] = {{"world.seed"},
                                    {"sun.elevation_deg", "25"}};
 
 constexpr StarterValue swell[] = {
-    {"ocean.swell.amplitude_m", "0.8"}, {"ocean.swell.period_s", "11"}, {"ocean.swell.direction_deg", "100"}};
+    {"ocean.swell.hs_m", "1.5"}, {"ocean.swell.tp_s", "11"}, {"ocean.swell.direction_deg", "100"}};
 
 /// The values with their sections. A mark, `#`, makes comments of their lines.
 std::string lines_of(std::span<const StarterValue> written, std::string_view mark) {
@@ -58,7 +58,8 @@ std::string lines_of(std::span<const StarterValue> written, std::string_view mar
 }  // namespace
 
 std::string starter_scene(std::string_view file) {
-  return fmt::format(R"(# A sea in a fresh breeze. Draw it, find its errors, list all keys that a scene may have:
+  return fmt::format(
+      R"(# A sea in a fresh breeze. Draw it, find its errors, list all keys that a scene may have:
 #   offing-view {0}
 #   offing scene check {0}
 #   offing scene keys
@@ -67,7 +68,7 @@ version = 1
 {1}
 # Swell from a distant storm. To add it, remove the # before [[ocean.swell]] and before each of its values.
 {2})",
-                     file, lines_of(values, ""), lines_of(swell, "#"));
+      file, lines_of(values, ""), lines_of(swell, "#"));
 }
 
 }  // namespace offing::cli

@@ -1,17 +1,15 @@
 #include "host/ocean/spectrum/density_peak.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <numbers>
 #include <vector>
 
 namespace offing::ocean {
 namespace {
 
-constexpr double smoothing = 0.06;        // standard deviation in ln f
-constexpr double share_of_largest = 0.6;  // of the smoothed density, within the range of the fit
-constexpr std::size_t fewest_bins = 5;    // for three coefficients
+constexpr double share_of_largest = 0.3;  // of the density, within the range of the fit
+constexpr double largest_move = 0.25;     // of ln f
 
 double middle_hz(const FrequencyBin& bin) {
   return 0.5 * (bin.low_hz + bin.high_hz);
@@ -21,130 +19,103 @@ double width_hz(const FrequencyBin& bin) {
   return bin.high_hz - bin.low_hz;
 }
 
-std::vector<double> smoothed_density(std::span<const FrequencyBin> bins) {
-  std::vector<double> density;
-  std::size_t first = 0;
-  for (const FrequencyBin& at : bins) {
-    const auto distance = [&](const FrequencyBin& bin) {
-      return std::log(middle_hz(bin) / middle_hz(at)) / smoothing;
-    };
-    constexpr double reach = 4.0;  // standard deviations: beyond, a weight is below 4e-4
-    while (distance(bins[first]) < -reach) ++first;
-    double energy = 0.0, width = 0.0;
-    for (std::size_t i = first; i < bins.size() && distance(bins[i]) <= reach; ++i) {
-      const double weight = std::exp(-0.5 * distance(bins[i]) * distance(bins[i]));
-      energy += weight * bins[i].energy_m2;
-      width += weight * width_hz(bins[i]);
-    }
-    density.push_back(energy / width);
-  }
-  return density;
+/// Waves of a lattice in the plane of wavenumbers lie within a range of frequency as f^3 df.
+double weight_of(const FrequencyBin& bin) {
+  return std::pow(middle_hz(bin), 3.0) * width_hz(bin);
 }
 
-using Triple = std::array<double, 3>;
-
-/// Solves the symmetric A x = y by Cramer's rule; nothing where A is singular.
-std::optional<Triple> solve(const std::array<Triple, 3>& a, const Triple& y) {
-  const auto determinant = [](const Triple& p, const Triple& q, const Triple& r) {
-    return p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) +
-           p[2] * (q[0] * r[1] - q[1] * r[0]);
-  };
-  const double whole = determinant(a[0], a[1], a[2]);
-  if (whole == 0.0) return std::nullopt;
-  return Triple{determinant(y, a[1], a[2]) / whole, determinant(a[0], y, a[2]) / whole,
-                determinant(a[0], a[1], y) / whole};
-}
-
-/// a + b u + c e^-4u with u = ln(f / reference), fitted to these bins by steps of least squares on ln E, in
-/// which energies that scatter in proportion to their mean weigh as many as there are waves: f^3 df.
 class PeakFit {
  public:
-  PeakFit(std::span<const FrequencyBin> bins, std::span<const double> start, double reference_hz)
-      : bins_(bins), reference_hz_(reference_hz) {
-    std::vector<double> model(start.begin(), start.end());
-    constexpr int steps = 20;
-    for (int step = 0; step < steps; ++step) {
-      products_ = {};
-      Triple sums{};
-      for (std::size_t i = 0; i < bins_.size(); ++i) {
-        const Triple terms = terms_of(bins_[i]);
-        const double density = bins_[i].energy_m2 / width_hz(bins_[i]);
-        const double working = std::log(model[i]) + (density - model[i]) / model[i];
-        for (int row = 0; row < 3; ++row) {
-          sums[row] += weight_of(bins_[i]) * terms[row] * working;
-          for (int column = 0; column < 3; ++column)
-            products_[row][column] += weight_of(bins_[i]) * terms[row] * terms[column];
-        }
-      }
-      coefficients_ = solve(products_, sums);
-      if (!coefficients_) return;
-      for (std::size_t i = 0; i < bins_.size(); ++i)
-        model[i] = std::exp(dot(*coefficients_, terms_of(bins_[i])));
-      const auto is_usable = [](double value) { return value > 0.0 && std::isfinite(value); };
-      if (std::all_of(model.begin(), model.end(), is_usable)) continue;
-      coefficients_.reset();
-      return;
-    }
+  PeakFit(std::span<const FrequencyBin> bins, const std::function<double(double)>& density_m2phz,
+          double peak_hz)
+      : density_m2phz_(density_m2phz) {
+    const double least = share_of_largest * density_m2phz(peak_hz);
+    const auto is_low = [&](const FrequencyBin& bin) { return density_m2phz(middle_hz(bin)) < least; };
+    const auto at_peak = std::find_if(bins.begin(), bins.end(),
+                                      [&](const FrequencyBin& bin) { return bin.high_hz > peak_hz; });
+    const auto first = std::find_if(std::make_reverse_iterator(at_peak), bins.rend(), is_low).base();
+    const auto end = std::find_if(at_peak, bins.end(), is_low);
+    bins_ = {first, end};
   }
 
-  /// Nothing where the fit has no maximum among the bins.
-  std::optional<DensityPeak> maximum() const {
-    if (!coefficients_) return std::nullopt;
-    const auto [a, b, c] = *coefficients_;
-    if (!(b < 0.0 && c < 0.0)) return std::nullopt;
-    const double peak_hz = reference_hz_ * std::pow(4.0 * c / b, 0.25);
-    if (!(peak_hz > bins_.front().low_hz && peak_hz < bins_.back().high_hz)) return std::nullopt;
-    return DensityPeak{peak_hz, error({0.0, -0.25 / b, 0.25 / c})};
+  bool has_bins() const { return bins_.size() >= 3; }
+
+  /// Of the energies, with the shape moved by this step of ln f, and scaled as suits it best.
+  double likelihood(double move) const {
+    double logarithms = 0.0, ratios = 0.0, total = 0.0;
+    for (const FrequencyBin& bin : bins_) {
+      const double mean = shape_within(bin, std::exp(-move));
+      logarithms += weight_of(bin) * std::log(mean);
+      ratios += weight_of(bin) * bin.energy_m2 / mean;
+      total += weight_of(bin);
+    }
+    const double value = -logarithms - total * std::log(ratios / total);
+    return std::isfinite(value) ? value : -INFINITY;
+  }
+
+  /// Of the best move: of ln m_i = g_i move, sum of w g r / sum of w g^2 with the scatter r of each bin and g
+  /// around its mean.
+  double error() const {
+    constexpr double step = 1e-3;
+    double total = 0.0, mean_rise = 0.0;
+    std::vector<double> rises;
+    for (const FrequencyBin& bin : bins_) {
+      const double hz = middle_hz(bin);
+      rises.push_back(std::log(density_m2phz_(hz * (1.0 + step)) / density_m2phz_(hz * (1.0 - step))) /
+                      (2.0 * step));
+      total += weight_of(bin);
+      mean_rise += weight_of(bin) * rises.back();
+    }
+    mean_rise /= total;
+    double information = 0.0, variance = 0.0;
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+      const double effect = weight_of(bins_[i]) * (rises[i] - mean_rise);
+      information += effect * (rises[i] - mean_rise);
+      if (bins_[i].waves > 0.0) variance += effect * effect / bins_[i].waves;
+    }
+    const double error = std::sqrt(variance) / information;
+    return std::isfinite(error) ? error : 0.0;
   }
 
  private:
-  static double dot(const Triple& p, const Triple& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-  Triple terms_of(const FrequencyBin& bin) const {
-    const double u = std::log(middle_hz(bin) / reference_hz_);
-    return {1.0, u, std::exp(-4.0 * u)};
-  }
-
-  double weight_of(const FrequencyBin& bin) const {
-    return std::pow(middle_hz(bin) / reference_hz_, 3.0) * width_hz(bin);
-  }
-
-  /// Of a figure with this gradient over the coefficients, by how ln E of each bin moves them.
-  double error(const Triple& gradient) const {
-    const std::optional<Triple> pull = solve(products_, gradient);
-    double variance = 0.0;
-    for (const FrequencyBin& bin : bins_) {
-      if (!pull || bin.waves <= 0.0) continue;
-      const double effect = weight_of(bin) * dot(*pull, terms_of(bin));
-      variance += effect * effect / bin.waves;
-    }
-    return std::sqrt(variance);
+  /// Integral of the shape over a bin, on a frequency axis that is stretched by this factor: Simpson's rule,
+  /// since bins of a small patch are as wide as half a narrow peak.
+  double shape_within(const FrequencyBin& bin, double factor) const {
+    return width_hz(bin) / 6.0 *
+           (density_m2phz_(bin.low_hz * factor) + 4.0 * density_m2phz_(middle_hz(bin) * factor) +
+            density_m2phz_(bin.high_hz * factor));
   }
 
   std::span<const FrequencyBin> bins_;
-  double reference_hz_;
-  std::array<Triple, 3> products_{};
-  std::optional<Triple> coefficients_;
+  const std::function<double(double)>& density_m2phz_;
 };
 
 }  // namespace
 
-DensityPeak peak_of(std::span<const FrequencyBin> bins) {
-  const std::vector<double> density = smoothed_density(bins);
-  const std::size_t largest = std::max_element(density.begin(), density.end()) - density.begin();
-  std::size_t first = largest, end = largest + 1;
-  const auto is_in = [&](std::size_t i) { return density[i] > share_of_largest * density[largest]; };
-  while (first > 0 && is_in(first - 1)) --first;
-  while (end < bins.size() && is_in(end)) ++end;
-  while (end - first < std::min(fewest_bins, bins.size())) {
-    if (first > 0) --first;
-    if (end < bins.size()) ++end;
+DensityPeak peak_of(std::span<const FrequencyBin> bins, const std::function<double(double hz)>& density_m2phz,
+                    double peak_hz) {
+  const PeakFit fit(bins, density_m2phz, peak_hz);
+  if (!fit.has_bins()) return {peak_hz};
+  constexpr int steps = 25;  // to either side
+  constexpr double step = largest_move / steps;
+  double best = 0.0, best_likelihood = -INFINITY;
+  for (int i = -steps; i <= steps; ++i) {
+    const double likelihood = fit.likelihood(i * step);
+    if (likelihood <= best_likelihood) continue;
+    best_likelihood = likelihood;
+    best = i * step;
   }
-  const double reference_hz = middle_hz(bins[largest]);
-  if (bins.size() < fewest_bins) return {reference_hz};
-  const PeakFit fit(bins.subspan(first, end - first), std::span(density).subspan(first, end - first),
-                    reference_hz);
-  return fit.maximum().value_or(DensityPeak{reference_hz});
+  double left = best - step, right = best + step;
+  const double golden = 1.0 / std::numbers::phi;
+  while (right - left > 1e-6) {
+    const double inner_left = right - golden * (right - left), inner_right = left + golden * (right - left);
+    if (fit.likelihood(inner_left) > fit.likelihood(inner_right)) {
+      right = inner_right;
+    } else {
+      left = inner_left;
+    }
+  }
+  return {peak_hz * std::exp(0.5 * (left + right)), fit.error()};
 }
 
 }  // namespace offing::ocean

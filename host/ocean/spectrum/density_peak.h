@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 namespace offing::ocean {
@@ -13,21 +14,20 @@ struct FrequencyBin {
 
 struct DensityPeak {
   double frequency_hz = 0.0;
-  /// Standard deviation of the same for realised seas, relative; 0 where the bins have no number of waves.
-  double error = 0.0;
+  double error =
+      0.0;  ///< standard deviation for realised seas, relative; 0 for bins without a number of waves
 };
 
-/// Where the density behind these energies is largest. The bins meet, in increasing
-/// order; their energies are those of one realised sea, which scatter as sums of a few exponential ones, or
-/// those expected.
+/// Where the density behind these energies is largest, if it has the shape of `density_m2phz` around its peak
+/// at peak_hz: that peak, moved by the factor on frequency with which the shape fits best. The bins meet, in
+/// increasing order; their energies are those of one realised sea, or those expected.
 ///
-/// Smoothed over 6 % of frequency, the density is above 0.6 of its largest value in a range around its peak.
-/// There ln E = a + b ln f + c f^-4, the form of wind seas (Pierson and Moskowitz 1964), is fitted with the
-/// weights of such energies (McCullagh and Nelder 1989, chapter 8); its maximum is at f^4 = 4 c / b.
-/// JONSWAP's peaks of gamma 1 to 7 come out within 0.4 % from expected energies, Gaussian swells within 0.5
-/// %; of one realised sea they scatter by 0.1 to 2 %, the more the wider the peak and the fewer the waves.
-/// The error is that of the fit to expected energies whose sums scatter as those of `waves` equal ones; that
-/// the range scatters too is left out.
-DensityPeak peak_of(std::span<const FrequencyBin> bins);
+/// The fit takes the bins around the peak whose density is above 0.3 of its largest. Energies scatter in
+/// proportion to their mean, so that the likelihood of bins of n waves, n as f^3 df, is -sum of n (ln m + e /
+/// m) with the mean m (McCullagh and Nelder 1989, chapter 8); its factor on height is free. Factors on
+/// frequency from 0.78 to 1.28 are tried. The error is the spread of the same estimate to first order in the
+/// scatter.
+DensityPeak peak_of(std::span<const FrequencyBin> bins, const std::function<double(double hz)>& density_m2phz,
+                    double peak_hz);
 
 }  // namespace offing::ocean

@@ -144,19 +144,20 @@ double period_of_fourth_power_s(const FrequencyBins& density, double m0_m2) {
 
 constexpr double fine_share = 0.01;
 
-DensityPeak peak_of(const FrequencyBins& density) {
+DensityPeak peak_of(const FrequencyBins& found, const SeaSpectrum& spectrum) {
   std::vector<FrequencyBin> bins;
-  for (std::size_t i = 0; i < density.bins.size(); ++i) {
-    const Bin& bin = density.bins[i];
-    bins.push_back({density.edges_hz[i], density.edges_hz[i + 1], bin.energy_m2,
+  for (std::size_t i = 0; i < found.bins.size(); ++i) {
+    const Bin& bin = found.bins[i];
+    bins.push_back({found.edges_hz[i], found.edges_hz[i + 1], bin.energy_m2,
                     bin.squares > 0.0 ? bin.energy_m2 * bin.energy_m2 / bin.squares : 0.0});
   }
-  return peak_of(bins);
+  const auto density_m2phz = [&](double hz) { return 2.0 * pi * spectrum.energy(2.0 * pi * hz); };
+  return peak_of(bins, density_m2phz, spectrum.omega_peak_radps / (2.0 * pi));
 }
 
 /// Peak period, and direction of the waves within 5 % of its frequency.
-void find_peak(const FrequencyBins& density, SeaState& state) {
-  const double peak_hz = peak_of(density).frequency_hz;
+void find_peak(const FrequencyBins& density, const SeaSpectrum& spectrum, SeaState& state) {
+  const double peak_hz = peak_of(density, spectrum).frequency_hz;
   state.peak_period_s = 1.0 / peak_hz;
   Bin near;
   for (std::size_t i = 0; i < density.bins.size(); ++i) {
@@ -170,8 +171,9 @@ void find_peak(const FrequencyBins& density, SeaState& state) {
 
 }  // namespace
 
-SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+SeaState sea_state_of(std::span<const ModeEnergies> cascades, const SeaSpectrum& spectrum,
                       std::span<const GerstnerWave> gerstner_waves) {
+  const Dispersion& dispersion = spectrum.dispersion;
   const Sums sums = sum_waves(cascades, dispersion, gerstner_waves);
   SeaState state;
   if (sums.m0 <= 0.0) {
@@ -187,7 +189,7 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
     fine_bins.add(wave);
   });
   state.tp_s = period_of_fourth_power_s(coarse_bins, sums.m0);
-  find_peak(fine_bins, state);
+  find_peak(fine_bins, spectrum, state);
   state.tm01_s = sums.m0 / sums.m1;
   state.tm02_s = std::sqrt(sums.m0 / sums.m2);
   state.mean_direction_rad = direction_of_moment(sums.cosine, sums.sine, sums.m0);
@@ -196,8 +198,9 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
   return state;
 }
 
-SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
+SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const SeaSpectrum& spectrum,
                                 int seeds, std::span<const GerstnerWave> gerstner_waves) {
+  const Dispersion& dispersion = spectrum.dispersion;
   if (seeds < 1) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("ocean statistics: expected at least 1 seed, found {}", seeds),
@@ -222,7 +225,7 @@ SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Di
   });
   error.hs_m = 2.0 * std::sqrt(height / (sums.m0 * seeds));
   error.tm02_s = 0.5 * std::sqrt(sums.m0 / sums.m2) * std::sqrt(period / seeds);
-  const DensityPeak peak = peak_of(bins);
+  const DensityPeak peak = peak_of(bins, spectrum);
   error.peak_period_s = peak.error / (peak.frequency_hz * std::sqrt(seeds));
   error.mean_direction_rad = resultant2 > 0.0 ? std::sqrt(direction / seeds) / resultant2 : pi;
   return error;

@@ -28,12 +28,14 @@ struct SeaStateError {
   double mean_direction_rad = 0.0;
 };
 
-/// The sea state of these waves, modes of cascades and Gerstner waves. Moments are sums over waves. tp_s
+/// The sea state of these waves of a spectrum, modes of cascades and Gerstner waves. Moments are sums over
+/// waves. tp_s
 /// needs a density: energies are gathered in bins of 1/16 octave of frequency, or of one step of the longest
 /// patch's wavenumbers where that is wider, since narrower ones would see the lattice instead of the sea. The
-/// peak period is that of peak_of() in bins of 1 %, the peak direction that of waves within 5 % of it.
+/// peak period is that of peak_of() in bins of 1 %, which takes the shape of the peak from the spectrum; the
+/// peak direction is that of waves within 5 % of it.
 /// Throws Error(bad_input) when an array is not [size][size] or patch_length_m is not positive.
-SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+SeaState sea_state_of(std::span<const ModeEnergies> cascades, const SeaSpectrum& spectrum,
                       std::span<const GerstnerWave> gerstner_waves = {});
 
 /// Standard errors of the mean over `seeds` >= 1 independent seas with these expected energies V, to first
@@ -48,7 +50,7 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
 /// where one of the two is absent, and twice as much for a sea symmetric in +-K. Gerstner waves have the same
 /// energy for every seed and add no scatter to Hs; how their drawn frequencies and directions scatter is left
 /// out of the others.
-SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
+SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const SeaSpectrum& spectrum,
                                 int seeds, std::span<const GerstnerWave> gerstner_waves = {});
 
 }  // namespace offing::ocean

@@ -36,8 +36,8 @@ class SurfaceMeter {
   /// `size` samples along a patch, as the seas to be measured have.
   SurfaceMeter(const ocl::Device& device, int size);
 
-  /// The sea, which stands at time 0. Its Gerstner waves follow the dispersion of its cascades.
-  SurfaceMeasurement measure(ocean::Ocean& sea);
+  /// The sea of a spectrum, which stands at time 0. Its Gerstner waves follow the dispersion of its cascades.
+  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::SeaSpectrum& spectrum);
 
  private:
   std::vector<float> travelling_energies(const ocean::SurfaceFields& surface,
@@ -128,7 +128,7 @@ SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
       packed_(device, forward_.float_count(), "measured surface"),
       transformed_(device, forward_.float_count(), "transformed surface") {}
 
-SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea) {
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::SeaSpectrum& spectrum) {
   const ocean::GerstnerSea& gerstner_waves = sea.parameters().gerstner_waves;
   const ocean::Dispersion& dispersion = gerstner_waves.dispersion;
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
@@ -145,8 +145,8 @@ SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea) {
     measurement.cascade_m0_m2.push_back(std::accumulate(energies.back().begin(), energies.back().end(), 0.0));
     modes.push_back({cascades[i].patch_length_m, surfaces.back().size, energies.back()});
   }
-  measurement.state = ocean::sea_state_of(modes, dispersion, gerstner_waves.waves);
-  measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
+  measurement.state = ocean::sea_state_of(modes, spectrum, gerstner_waves.waves);
+  measurement.cascade_mss = ocean::sea_state_of(modes, spectrum).mss;
   measure_shape(surfaces, cascades, ocean::GerstnerInstant(gerstner_waves, 0.0), measurement);
   measurement.foam_fraction = foam_fraction_of(sea);
   return measurement;
@@ -283,7 +283,7 @@ ocean::GerstnerSea measured_gerstner_waves(const Sea& sea, std::uint64_t seed) {
   return waves;
 }
 
-void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
+void expect(const ocean::Ocean& sea, const ocean::SeaSpectrum& spectrum,
             const std::vector<ocean::GerstnerWave>& gerstner_waves, Certificate& certificate) {
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   std::vector<std::vector<float>> variances;
@@ -294,14 +294,13 @@ void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
     certificate.expected_cascade_m0_m2.push_back(
         std::accumulate(variances.back().begin(), variances.back().end(), 0.0));
   }
-  certificate.resolved = ocean::sea_state_of(modes, dispersion, gerstner_waves);
-  certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, gerstner_waves);
+  certificate.resolved = ocean::sea_state_of(modes, spectrum, gerstner_waves);
+  certificate.standard_error = ocean::standard_error_of(modes, spectrum, certificate.seeds, gerstner_waves);
 }
 
 }  // namespace
 
 Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const Work& work) {
-  const ocean::Dispersion& dispersion = sea.spectrum.dispersion;
   Certificate certificate;
   certificate.seeds = seeds;
   certificate.asked = ocean::integrate_sea_state(sea.spectrum);
@@ -314,7 +313,7 @@ Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const 
   parameters.loop_period_s.reset();
   parameters.gerstner_waves = measured_gerstner_waves(sea, parameters.seed);
   ocean::Ocean ocean(device, sea.spectrum, parameters);
-  expect(ocean, dispersion, expected_gerstner_waves(sea), certificate);
+  expect(ocean, sea.spectrum, expected_gerstner_waves(sea), certificate);
   certificate.foam_onset = ocean.foam_onset();
   certificate.foam_fraction_asked = parameters.foam.onset_jacobian ? certificate.foam_onset.fraction
                                                                    : parameters.foam.fraction.value_or(0.0);
@@ -328,7 +327,7 @@ Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const 
       ocean.reseed(seed, measured_gerstner_waves(sea, seed));
     }
     ocean.at(0.0);
-    measurements.push_back(meter.measure(ocean));
+    measurements.push_back(meter.measure(ocean, sea.spectrum));
     steepness += ocean::horizontal_scale(ocean.parameters().gerstner_waves).steepness;
     work.tell((i + 1.0) / seeds);
   }

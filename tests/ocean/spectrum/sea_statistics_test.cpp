@@ -55,49 +55,53 @@ TEST(SeaStatistics, ExpectedEnergiesGiveTheSpectrum) {
   for (const double direction_rad : {0.4, 2.0, 3.9, 5.5}) {
     const Sea sea(direction_rad);
     const ModeEnergies modes = sea.modes(sea.expected);
-    const SeaState found = sea_state_of(std::span(&modes, 1), sea.spectrum.dispersion);
+    const SeaState found = sea_state_of(std::span(&modes, 1), sea.spectrum);
     const SeaState asked = integrate_sea_state(sea.spectrum, 0.0, sea.band_end_radpm());
     EXPECT_NEAR(found.hs_m / asked.hs_m, 1.0, 5e-4);
     EXPECT_NEAR(found.tm01_s / asked.tm01_s, 1.0, 5e-4);
     EXPECT_NEAR(found.tm02_s / asked.tm02_s, 1.0, 5e-4);
     EXPECT_NEAR(found.tp_s / asked.tp_s, 1.0, 4e-3);
     EXPECT_NEAR(found.mean_direction_rad, direction_rad, 2e-4);
+    EXPECT_NEAR(found.peak_direction_rad, direction_rad, 6e-3);
+    EXPECT_NEAR(found.spread_rad / asked.spread_rad, 1.0, 1e-3);
+    EXPECT_NEAR(found.peak_period_s / asked.peak_period_s, 1.0, 5e-3);
     EXPECT_NEAR(found.mss / asked.mss, 1.0, 3e-3);
   }
 }
 
-// Exponential energies drawn 400 times: the scatter of Hs, Tm02 and direction is the predicted one. The
+// Exponential energies drawn 400 times: the scatter of Hs, Tm02, direction and peak is the predicted one. The
 // standard deviation of 400 draws is known to 1 / sqrt(800) = 3.5 %, so 14 % is four sigma (false alarm 2e-4
-// for the three); their mean lies within four predicted standard errors of 400 seeds, Hs after its bias of
+// for the four); their mean lies within four predicted standard errors of 400 seeds, Hs after its bias of
 // -Var / (8 m0^2).
 TEST(SeaStatistics, ScatterIsAsPredicted) {
   const Sea sea(1.0);
   const ModeEnergies expected = sea.modes(sea.expected);
-  const Dispersion& dispersion = sea.spectrum.dispersion;
-  const SeaState asked = sea_state_of(std::span(&expected, 1), dispersion);
-  const SeaStateError one = standard_error_of(std::span(&expected, 1), dispersion, 1);
-  const SeaStateError many = standard_error_of(std::span(&expected, 1), dispersion, 400);
+  const SeaSpectrum& spectrum = sea.spectrum;
+  const SeaState asked = sea_state_of(std::span(&expected, 1), spectrum);
+  const SeaStateError one = standard_error_of(std::span(&expected, 1), spectrum, 1);
+  const SeaStateError many = standard_error_of(std::span(&expected, 1), spectrum, 400);
   EXPECT_NEAR(many.hs_m, one.hs_m / 20.0, 1e-12);
 
   std::mt19937_64 random(5);
   std::exponential_distribution<float> exponential(1.0f);
   std::vector<float> drawn(sea.expected.size());
-  double sum[3] = {}, squares[3] = {};
+  double sum[4] = {}, squares[4] = {};
   for (int seed = 0; seed < 400; ++seed) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       drawn[i] = sea.expected[i] > 0.0f ? sea.expected[i] * exponential(random) : 0.0f;
     }
     const ModeEnergies modes = sea.modes(drawn);
-    const SeaState state = sea_state_of(std::span(&modes, 1), dispersion);
-    const double off[3] = {state.hs_m - asked.hs_m, state.tm02_s - asked.tm02_s,
-                           state.mean_direction_rad - asked.mean_direction_rad};
-    for (int i = 0; i < 3; ++i) {
+    const SeaState state = sea_state_of(std::span(&modes, 1), spectrum);
+    const double off[4] = {state.hs_m - asked.hs_m, state.tm02_s - asked.tm02_s,
+                           state.mean_direction_rad - asked.mean_direction_rad,
+                           state.peak_period_s - asked.peak_period_s};
+    for (int i = 0; i < 4; ++i) {
       sum[i] += off[i];
       squares[i] += off[i] * off[i];
     }
   }
-  const double predicted[3] = {one.hs_m, one.tm02_s, one.mean_direction_rad};
-  for (int i = 0; i < 3; ++i) {
+  const double predicted[4] = {one.hs_m, one.tm02_s, one.mean_direction_rad, one.peak_period_s};
+  for (int i = 0; i < 4; ++i) {
     const double mean = sum[i] / 400.0;
     EXPECT_NEAR(std::sqrt(squares[i] / 400.0 - mean * mean) / predicted[i], 1.0, 0.14) << i;
     const double bias = i == 0 ? -0.5 * one.hs_m * one.hs_m / asked.hs_m : 0.0;
@@ -141,17 +145,15 @@ TEST(SeaStatistics, CascadesAddAndCalmIsZero) {
   }
   const ModeEnergies whole = sea.modes(sea.expected);
   const ModeEnergies parts[] = {sea.modes(low), sea.modes(high)};
-  const Dispersion& dispersion = sea.spectrum.dispersion;
-  EXPECT_NEAR(sea_state_of(parts, dispersion).hs_m, sea_state_of(std::span(&whole, 1), dispersion).hs_m,
-              1e-9);
-  EXPECT_NEAR(sea_state_of(parts, dispersion).tp_s, sea_state_of(std::span(&whole, 1), dispersion).tp_s,
-              1e-9);
-  EXPECT_NEAR(standard_error_of(parts, dispersion, 3).tm02_s,
-              standard_error_of(std::span(&whole, 1), dispersion, 3).tm02_s, 1e-9);
+  const SeaSpectrum& spectrum = sea.spectrum;
+  EXPECT_NEAR(sea_state_of(parts, spectrum).hs_m, sea_state_of(std::span(&whole, 1), spectrum).hs_m, 1e-9);
+  EXPECT_NEAR(sea_state_of(parts, spectrum).tp_s, sea_state_of(std::span(&whole, 1), spectrum).tp_s, 1e-9);
+  EXPECT_NEAR(standard_error_of(parts, spectrum, 3).tm02_s,
+              standard_error_of(std::span(&whole, 1), spectrum, 3).tm02_s, 1e-9);
   const std::vector<float> calm(size * size, 0.0f);
   const ModeEnergies nothing = sea.modes(calm);
-  EXPECT_EQ(sea_state_of(std::span(&nothing, 1), dispersion).tp_s, 0.0);
-  EXPECT_EQ(standard_error_of(std::span(&nothing, 1), dispersion, 1).hs_m, 0.0);
+  EXPECT_EQ(sea_state_of(std::span(&nothing, 1), spectrum).tp_s, 0.0);
+  EXPECT_EQ(standard_error_of(std::span(&nothing, 1), spectrum, 1).hs_m, 0.0);
 }
 
 TEST(SeaStatistics, RejectsArraysOfTheWrongSize) {
@@ -178,7 +180,7 @@ TEST(SeaStatistics, GerstnerWavesAreWavesLikeOthers) {
   const std::vector<GerstnerWave> waves = {wave(0.1, 1.0), wave(0.2, 2.0)};
   const std::vector<float> calm(16, 0.0f);
   const ModeEnergies modes{100.0, 4, calm};
-  const SeaState state = sea_state_of({&modes, 1}, {}, waves);
+  const SeaState state = sea_state_of({&modes, 1}, make_sea_spectrum({}), waves);
   EXPECT_NEAR(state.m0_m2, 2.5, 1e-12);
   EXPECT_NEAR(state.hs_m, 4.0 * std::sqrt(2.5), 1e-12);
   EXPECT_NEAR(state.tm01_s, 2.5 / (0.5 * 0.1 + 2.0 * 0.2), 1e-12);
@@ -186,15 +188,15 @@ TEST(SeaStatistics, GerstnerWavesAreWavesLikeOthers) {
   EXPECT_NEAR(state.mss,
               0.5 * std::pow(waves[0].wavenumber_radpm, 2.0) + 2.0 * std::pow(waves[1].wavenumber_radpm, 2.0),
               1e-12);
-  EXPECT_EQ(standard_error_of({&modes, 1}, {}, 1, waves).hs_m, 0.0);
+  EXPECT_EQ(standard_error_of({&modes, 1}, make_sea_spectrum({}), 1, waves).hs_m, 0.0);
 
   const Sea sea(0.3);
   const ModeEnergies expected = sea.modes(sea.expected);
-  const double alone_m = standard_error_of({&expected, 1}, sea.spectrum.dispersion, 1).hs_m;
-  const double hs_m = sea_state_of({&expected, 1}, sea.spectrum.dispersion).hs_m;
-  const double hs_of_both_m = sea_state_of({&expected, 1}, sea.spectrum.dispersion, waves).hs_m;
-  EXPECT_NEAR(standard_error_of({&expected, 1}, sea.spectrum.dispersion, 1, waves).hs_m,
-              alone_m * hs_m / hs_of_both_m, 1e-9);
+  const double alone_m = standard_error_of({&expected, 1}, sea.spectrum, 1).hs_m;
+  const double hs_m = sea_state_of({&expected, 1}, sea.spectrum).hs_m;
+  const double hs_of_both_m = sea_state_of({&expected, 1}, sea.spectrum, waves).hs_m;
+  EXPECT_NEAR(standard_error_of({&expected, 1}, sea.spectrum, 1, waves).hs_m, alone_m * hs_m / hs_of_both_m,
+              1e-9);
 }
 
 }  // namespace
