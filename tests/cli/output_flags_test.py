@@ -22,7 +22,7 @@ NO_PATHS = set(
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
 
 # Flags that name what is read, and one of offing-bench that its help does not tell apart.
-READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--device"}
+READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--device"}
 
 MAP = ["map.r32", "--raw-size", "9x9", "--spacing-m", "10"]
 SPECTRUM = ["41010.data_spec"]
@@ -59,6 +59,7 @@ CASES = [
     Case("offing ocean bake", "-o", ["scene.toml", "--frames", "0"], SOME_FILES, "out", "out/ocean.c0.0000.exr"),
     Case("offing ocean bake", "--export-spectrum", ["scene.toml", "--frames", "0", "-o", "fresh"], SOME_FILES,
          "out.spec"),
+    Case("offing ocean modes", "-o", ["scene.toml"], SOME_FILES, "out.csv"),
     Case("offing ocean query", "-o", ["scene.toml", "--points", "points.csv"], [*SCENE_FILES, "points.csv"],
          "out.csv"),
     Case("offing highlights", "-o", ["scene.toml"], SOME_FILES, "out.json"),
