@@ -263,9 +263,11 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-The peak period (JSON: peak_period_s) is where the energy density E(f) is largest. tp_s is the integral of
-E^4 over that of f E^4. Tz is Tm02 = sqrt(m0 / m2). The peak direction is the mean direction at the peak
-period. The spread is sqrt(2 (1 - r)), r the length of the mean direction vector: a standard deviation.
+With m_n the integral of f^n E(f) over the frequencies of the file: Hs is 4 sqrt(m0), Tm01 m0 / m1,
+Tz (tm02_s) sqrt(m0 / m2). The peak period is 1 / f where E is largest. Tp (tp_s) is the integral of E^4
+over that of f E^4, which follows a broad peak more steadily. Mean direction and spread, sqrt(2 (1 - r)), are
+those of the first circular moment of all energy, r being its length; the peak direction is that of the waves
+at the peak period.
 
 Examples:
   offing ocean spectrum 41010.data_spec
