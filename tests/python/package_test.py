@@ -183,6 +183,7 @@ class ProgressTest(unittest.TestCase):
         peak = ["peak_period_s", "tz_s", "peak_direction_deg", "spread_deg"]
         self.assertEqual(list(stats["asked"]), [*state, *peak])
         self.assertEqual(list(stats["measured"]), [*state, "skewness", "kurtosis", "max_ka", "folded_share", *peak])
+        self.assertAlmostEqual(stats["foam"]["measured"], stats["foam"]["asked"], delta=0.5 * stats["foam"]["asked"])
         asked, measured = stats["asked"], stats["measured"]
         self.assertAlmostEqual(asked["mean_direction_deg"], math.degrees(asked["mean_direction_rad"]))
         for name, value in self.sea.sea_state().items():

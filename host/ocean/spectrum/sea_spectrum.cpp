@@ -169,7 +169,7 @@ SeaState integrate_sea_state(const SeaSpectrum& spectrum, double k_min_radpm, do
   const double peak_k_radpm = dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
   const double peak_radps =
       peak_k_radpm >= low && peak_k_radpm <= high ? spectrum.omega_peak_radps : moments.peak_radps;
-  const Direction at_peak = first_moment(spectrum.spreading_at(peak_radps), directions);
+  const Direction at_peak = first_moment(spectrum, peak_radps, directions);
   state.peak_period_s = 2.0 * pi / peak_radps;
   state.peak_direction_rad = direction_of_moment(at_peak.cosine, at_peak.sine, 1.0);
   return state;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -521,6 +522,23 @@ const std::vector<FoamGathering>& Ocean::foam_gathering() const {
   return *state.foam_gathering;
 }
 
+namespace {
+
+/// Variance of the compression by Gerstner waves that this grid is too coarse for.
+double compression_hidden_by(const SampleGrid& grid, const GerstnerSea& waves) {
+  const double all = compression_variance(waves), scale = horizontal_scale(waves).scale;
+  const double spacing_m = std::max({std::abs(grid.spacing_x_m), std::abs(grid.spacing_z_m), 1e-9});
+  double shown = 0.0;
+  for (const GerstnerWave& wave : waves.waves) {
+    const double strain = scale * wave.wavenumber_radpm * wave.amplitude_m *
+                          shown_share(2.0 * std::numbers::pi / (wave.wavenumber_radpm * spacing_m));
+    shown += 0.5 * strain * strain;
+  }
+  return std::max(all - shown, 0.0);
+}
+
+}  // namespace
+
 std::vector<float> Ocean::read_composed_foam(const SampleGrid& grid) {
   State& state = *state_;
   const ocl::Buffer<float>& foam = foam_map();
@@ -529,9 +547,11 @@ std::vector<float> Ocean::read_composed_foam(const SampleGrid& grid) {
   if (!state.foam_compose) {
     state.foam_compose = ocl::Program::build(state.device, "ocean/foam_compose.cl").kernel("foam_compose");
   }
+  const double hidden = compression_hidden_by(grid, state.parameters.gerstner_waves);
   std::vector<float> gathering;
   for (const FoamGathering& cascade : foam_gathering()) {
-    gathering.push_back(static_cast<float>(cascade.factor));
+    const double shown = cascade.variance > 0.0 ? std::max(1.0 - hidden / cascade.variance, 0.0) : 1.0;
+    gathering.push_back(static_cast<float>(std::pow(cascade.factor, shown)));
     gathering.push_back(static_cast<float>(cascade.steepness));
   }
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);

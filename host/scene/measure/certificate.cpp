@@ -111,13 +111,14 @@ void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
   measurement.folded_share = static_cast<double>(folded) / sample_count;
 }
 
-/// Of labels on a grid over the square, whose spacing has no common multiple with any patch.
+/// Of labels on a grid over five patches, close enough to show Gerstner waves, whose spacing has no common
+/// multiple with any patch.
 double foam_fraction_of(ocean::Ocean& sea) {
   constexpr int side = 512;
   static_assert(side * side == sample_count);
   if (!sea.foam_onset().has_foam()) return 0.0;
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  const double spacing_m = golden * square_patches / side * sea.parameters().cascades.front().patch_length_m;
+  const double spacing_m = golden / 64.0 * sea.parameters().cascades.front().patch_length_m;
   const std::vector<float> foam = sea.read_composed_foam(
       {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = side, .rows = side});
   return std::accumulate(foam.begin(), foam.end(), 0.0) / sample_count;

@@ -69,8 +69,9 @@ class WhitecapTest : public testing::Test {
                Take take) {
     const OceanParameters wanted = parameters(spectrum, fraction, split_radpm);
     Ocean ocean(device_, spectrum, wanted);
-    // Labels over 40 patches, without a common multiple with any of them.
-    const double spacing_m = 0.618034 * 40.0 / 256 * wanted.cascades.front().patch_length_m;
+    // Labels over two and a half patches, without a common multiple with any of them, and close enough to
+    // show Gerstner waves.
+    const double spacing_m = 0.618034 / 64 * wanted.cascades.front().patch_length_m;
     const SampleGrid grid{.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = 256, .rows = 256};
     for (int seed = 1; seed <= seeds; ++seed) {
       const auto number = static_cast<std::uint64_t>(seed);
