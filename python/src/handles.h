@@ -199,7 +199,9 @@ class Scene {
       values["peak_period_s"] = period_s;
       values["tz_s"] = values["tm02_s"];
       values["peak_direction_deg"] = degrees(direction_rad);
+      values["peak_direction_rad"] = direction_rad;
       values["spread_deg"] = degrees(spread_rad);
+      values["spread_rad"] = spread_rad;
     };
     nb::dict values, errors;
     nb::dict asked = state(found.asked_hs_m, found.asked_tp_s, found.asked_tm01_s, found.asked_tm02_s,

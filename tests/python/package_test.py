@@ -180,7 +180,7 @@ class ProgressTest(unittest.TestCase):
     def test_the_sea_has_what_was_asked(self):
         stats = self.sea.stats(seeds=4)
         state = ["hs_m", "tp_s", "tm01_s", "tm02_s", "mean_direction_deg", "mean_direction_rad", "mss"]
-        peak = ["peak_period_s", "tz_s", "peak_direction_deg", "spread_deg"]
+        peak = ["peak_period_s", "tz_s", "peak_direction_deg", "peak_direction_rad", "spread_deg", "spread_rad"]
         self.assertEqual(list(stats["asked"]), [*state, *peak])
         self.assertEqual(list(stats["measured"]), [*state, "skewness", "kurtosis", "max_ka", "folded_share", *peak])
         self.assertAlmostEqual(stats["foam"]["measured"], stats["foam"]["asked"], delta=0.5 * stats["foam"]["asked"])
