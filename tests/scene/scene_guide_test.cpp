@@ -43,7 +43,7 @@ Scene example_below(const std::string& heading) {
 // Fails if the guide's examples are no scenes.
 TEST(SceneGuide, ItsExamplesAreScenes) {
   const Scene scene = example_below("# Scenes");
-  EXPECT_EQ(scene.ocean.swells.size(), 1u);
+  EXPECT_EQ(scene.ocean.swells.size(), 2u);
   EXPECT_EQ(scene.ocean.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
