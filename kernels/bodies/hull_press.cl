@@ -1,7 +1,7 @@
 // How deep a floating hull presses the water of a wake window, added to what presses there already.
 // In:    press (shared/bodies.h); bottom [map_rows][map_columns] m: the hull's underside, +inf beside it.
 // Inout: displaced [n][n] m, laid out as WakeGrid of shared/wake.h says.
-// Launched over the cells around the hull and some more. As in ocean/wake_displace.cl a cell takes the mean over the square of two cells
+// Launched over the cells around the hull and some more. As in ocean/wakes/wake_displace.cl a cell takes the mean over the square of two cells
 // a side around it, weighted by a tent, so that the hull's volume does not jump as it moves.
 #include "shared/bodies.h"
 

@@ -2,7 +2,7 @@
 // In:  displacement, gradient [cascades][n][n] float4 of ocean/surface_assemble.cl; gerstner_displacement,
 //      gerstner_gradient [rows][pitch] float4 of ocean/gerstner_surface.cl, at these samples, unless the pitch is 0;
 //      where the samples lie;
-//      wake_maps of ocean/wake_map.cl, wakes and wake_samples (shared/wake.h) of wake_count windows.
+//      wake_maps of ocean/wakes/wake_map.cl, wakes and wake_samples (shared/wake.h) of wake_count windows.
 // Out: position [rows][columns] float4 (dx, h, dz m, J); shape [rows][columns] float4 (slope x, slope z of the displaced
 //      surface, smaller eigenvalue of F, 0). Cascades are bilinear between texels and periodic.
 // Displacements, slopes and gradients add over cascades, Gerstner waves and wakes; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
@@ -10,7 +10,7 @@
 // The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
 #include "ocean/tile_sample.clh"
-#include "ocean/wake_layer.clh"
+#include "ocean/wakes/wake_layer.clh"
 #include "shared/ocean_params.h"
 
 __kernel void surface_compose(__global const float4 *restrict displacement, __global const float4 *restrict gradient,

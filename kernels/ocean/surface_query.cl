@@ -1,7 +1,7 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; the cascades' waves, as SOURCE says where they are read from: QUERY_FRAME_MAPS, QUERY_MAPS or QUERY_MODES of
 //      shared/query_params.h; waves, params (shared/query_params.h), rings (GerstnerRingInTile of shared/gerstner_params.h);
-//      wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it; with SHOALS shoals,
+//      wake_maps of ocean/wakes/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it; with SHOALS shoals,
 //      depths_m [rows][columns], shoal_shares (shared/shoal_params.h).
 // Out: samples (SurfaceQuerySample of shared/query_params.h, or its first floats), the surface of ocean/surface_compose.cl where
 //      it meets the point's vertical.
@@ -14,7 +14,7 @@
 #include "ocean/deformation.clh"
 #include "ocean/gerstner_ring.clh"
 #include "ocean/query_place.clh"
-#include "ocean/wake_layer.clh"
+#include "ocean/wakes/wake_layer.clh"
 #include "shared/query_params.h"
 #if SOURCE == QUERY_FRAME_MAPS
 #include "ocean/frame_cells.clh"

@@ -187,11 +187,12 @@ class World:
         return self.scene.sea_state()
 
     def stats(self, seeds: int = 8, *, progress: Callable[[float], object] | None = None) -> dict[str, dict]:
-        """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. The dict has five
+        """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. It has five
         dicts: "asked" (of the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of
-        swells), "measured", "standard_error" (of measured from resolved), and "foam" ("asked" and "measured", the share of
-        the sea that foam covers). The mean direction is of travel, from east toward south, in degrees (mean_direction_deg)
-        and, as in sea_state(), in radians (mean_direction_rad). progress(share) is as in World()."""
+        swells), "measured", "standard_error" (of measured from resolved), and "foam". The last one has "asked" and
+        "measured", the share of the sea that foam covers. The mean direction is of travel, from east toward south, in
+        degrees (mean_direction_deg) and, as in sea_state(), in radians (mean_direction_rad). progress(share) is as in
+        World()."""
         return self.scene._scene.measure(self.device._device, seeds, progress)
 
     def __repr__(self):

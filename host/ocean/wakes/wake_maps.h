@@ -33,7 +33,7 @@ class WakeMaps {
     double origin_x_m = 0.0, origin_z_m = 0.0, cell_m = 0.0;
     std::vector<float> map;  ///< [n][n][4]
 
-    /// Height, its slopes and its rate at a label, as ocean/wake_layer.clh has them.
+    /// Height, its slopes and its rate at a label, as ocean/wakes/wake_layer.clh has them.
     std::array<double, 4> at(double x_m, double z_m) const;
   };
   std::vector<Instant> read() const;

@@ -176,10 +176,10 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   const auto kernel = [&](const char* source, const char* name) {
     return ocl::Program::build(device, source).kernel(name);
   };
-  scroll_ = kernel("ocean/wake_scroll.cl", "wake_scroll");
-  rain_ = kernel("ocean/wake_rain.cl", "wake_rain");
-  displace_ = kernel("ocean/wake_displace.cl", "wake_displace");
-  map_ = kernel("ocean/wake_map.cl", "wake_map");
+  scroll_ = kernel("ocean/wakes/wake_scroll.cl", "wake_scroll");
+  rain_ = kernel("ocean/wakes/wake_rain.cl", "wake_rain");
+  displace_ = kernel("ocean/wakes/wake_displace.cl", "wake_displace");
+  map_ = kernel("ocean/wakes/wake_map.cl", "wake_map");
   const WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
   kept_ = ocl::Buffer<float>(device, border.kept, "wake border");
   blend_ = ocl::Buffer<float>(device, border.blend, "wake blend");
@@ -190,13 +190,13 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   drops_ = ocl::Buffer<float>(device, 2 * texels() / (WAKE_RAIN_SQUARE * WAKE_RAIN_SQUARE), "wake rain");
   hulls_buffer_ = ocl::Buffer<WakeHullShape>(device, 1, "wake hulls");
   if (parameters_.method == WakeMethod::verlet) {
-    verlet_ = kernel("ocean/wake_verlet.cl", "wake_verlet");
-    differences_ = kernel("ocean/wake_differences.cl", "wake_differences");
+    verlet_ = kernel("ocean/wakes/wake_verlet.cl", "wake_verlet");
+    differences_ = kernel("ocean/wakes/wake_differences.cl", "wake_differences");
   } else {
-    press_ = kernel("ocean/wake_press.cl", "wake_press");
-    turn_ = kernel("ocean/wake_turn.cl", "wake_turn");
-    settle_ = kernel("ocean/wake_settle.cl", "wake_settle");
-    spectrum_ = kernel("ocean/wake_spectrum.cl", "wake_spectrum");
+    press_ = kernel("ocean/wakes/wake_press.cl", "wake_press");
+    turn_ = kernel("ocean/wakes/wake_turn.cl", "wake_turn");
+    settle_ = kernel("ocean/wakes/wake_settle.cl", "wake_settle");
+    spectrum_ = kernel("ocean/wakes/wake_spectrum.cl", "wake_spectrum");
     forward_.emplace(device, parameters_.cells, 1, fft::Direction::forward);
     inverse_.emplace(device, parameters_.cells, 1, fft::Direction::inverse);
     fields_inverse_.emplace(device, parameters_.cells, 2, fft::Direction::inverse);

@@ -164,7 +164,7 @@ TEST(WakeWindowTest, HullsDisplaceTheirVolume) {
   }
 }
 
-// What Verlet's scheme keeps exactly, h_n h_n+1 - s D s with D as kernels/ocean/wake_differences.clh has it.
+// What Verlet's scheme keeps exactly, h_n h_n+1 - s D s with D as kernels/ocean/wakes/wake_differences.clh has it.
 double verlet_energy(const WakeState& state, int n, double courant) {
   double sum = 0.0;
   for (int row = 0; row < n; ++row) {

@@ -1,10 +1,10 @@
 // How deep hulls and raindrops press the water of a wake window.
-// In:  grid; hulls (shared/wake.h); drops of ocean/wake_rain.cl, and by how much each presses, m, 0 without rain.
+// In:  grid; hulls (shared/wake.h); drops of ocean/wakes/wake_rain.cl, and by how much each presses, m, 0 without rain.
 // Out: displaced [n][n] m: the pressure on the water over its density and gravity; its integral over a hull is the volume
 //      that the hull displaces.
 // A hull counts in each cell with the mean over the square of two cells a side around it, weighted by a tent, so that the
 // weights of all cells add up to 1 everywhere: neither its volume nor its edge jumps from cell to cell as it moves.
-#include "ocean/wake_place.clh"
+#include "ocean/wakes/wake_place.clh"
 
 #define SAMPLES 6  // along a side of that square
 

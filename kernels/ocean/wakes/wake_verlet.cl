@@ -5,7 +5,7 @@
 // Out: next [n][n] float2. s is half a step behind h, so that h is that of Verlet's scheme: h_2 - 2 h_1 + h_0 =
 //      courant^2 D (h_1 + displaced), D the second differences of fourth order: those of second order would slow waves of
 //      four cells down by a tenth.
-#include "ocean/wake_differences.clh"
+#include "ocean/wakes/wake_differences.clh"
 
 __kernel void wake_verlet(WakeGrid grid, __global const float2 *restrict state, __global const float *restrict displaced,
                           __global const float *restrict kept, float courant, __global float2 *restrict next) {

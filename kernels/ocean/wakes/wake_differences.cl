@@ -1,7 +1,7 @@
 // The fields of a wake window that are drawn, by differences: for the method without a spectrum.
-// In:  state [n][n] float2 of ocean/wake_verlet.cl; courant and dt of its step, and the time since the state.
+// In:  state [n][n] float2 of ocean/wakes/wake_verlet.cl; courant and dt of its step, and the time since the state.
 // Out: fields [2][n][n] float2: h, dh/dt, then dh/dx, dh/dz.
-#include "ocean/wake_differences.clh"
+#include "ocean/wakes/wake_differences.clh"
 
 __kernel void wake_differences(__global const float2 *restrict state, int size, float cell_m, float courant, float step_s,
                                float since_s, __global float2 *restrict fields) {

@@ -1,7 +1,7 @@
 // A wake window that has scrolled by whole cells: what has come in is calm water, all else stays where it lies in memory.
 // In:  grid as it is now; the columns and rows that it has moved by, of either sign.
 // Out: state [n][n] float2, inout: 0 where the window was not before.
-#include "ocean/wake_place.clh"
+#include "ocean/wakes/wake_place.clh"
 
 __kernel void wake_scroll(WakeGrid grid, int columns, int rows, __global float2 *restrict state) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);

@@ -1,8 +1,8 @@
 // The map of a wake window that is drawn and asked: its waves, faded to nothing at its border.
-// In:  fields [2][n][n] float2 of ocean/wake_spectrum.cl after the transform, or of ocean/wake_differences.cl; blend [n]
+// In:  fields [2][n][n] float2 of ocean/wakes/wake_spectrum.cl after the transform, or of ocean/wakes/wake_differences.cl; blend [n]
 //      float2: share of a column or row of the window, 0 at its ends, and the share's derivative, 1/m.
 // Out: map [n][n] float4 from `first` on: h m, dh/dx, dh/dz, dh/dt m/s; the slopes are those of the faded height.
-#include "ocean/wake_place.clh"
+#include "ocean/wakes/wake_place.clh"
 
 __kernel void wake_map(WakeGrid grid, __global const float2 *restrict fields, __global const float2 *restrict blend,
                        int first, __global float4 *restrict map) {

@@ -1,6 +1,6 @@
 // One step of all modes of a wake window.
 // In:  turn [n][n] float2: e^{-i omega dt}, with what the shortest waves lose in a step, over n^2.
-// Out: spectrum [n][n] float2, inout: that of ocean/wake_press.cl.
+// Out: spectrum [n][n] float2, inout: that of ocean/wakes/wake_press.cl.
 // With Z = h + i s, where s is the surface's potential times omega / g, linear water waves are dZ/dt = -i omega Z of each
 // mode: dh/dt = omega s, ds/dt = -omega h, omega^2 = g k tanh k D (O3). A wave that travels toward +K has all of its
 // energy, |Z|^2, at K.

@@ -3,7 +3,7 @@
 // Out: drops [n/8][n/8] float2, of each square of memory: where its drop falls, in cells from the square's corner;
 //      x < 0: none falls.
 // Drops are of the square of the world and of the step: they fall wherever the window lies.
-#include "ocean/wake_place.clh"
+#include "ocean/wakes/wake_place.clh"
 #include "shared/random.h"
 
 __kernel void wake_rain(WakeGrid grid, uint2 seed, uint step, float probability, __global float2 *restrict drops) {
