@@ -326,7 +326,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
   CLI::App* command = ocean.add_subcommand(
-      "query", "compute height, normal, velocity, pressure and acceleration of the water at points");
+      "query", "compute height, normal, velocity and pressure of the water at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
@@ -356,8 +356,9 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
 Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the
 point or, under folding crests, where it cannot get closer: residual_m is the distance that is left.
 error_rms_m is the expected root mean square error of heights, from the spectrum and from how the waves are
-found; choppy crests that fold are not in it. Acceleration is that of linear theory, as is velocity. Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure,
-but not velocity. Samples are sorted by time, and at each time keep the order of the points.
+found; choppy crests that fold are not in it. Acceleration is that of linear theory, as is velocity. Pressure
+is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure, but not
+velocity. Samples are sorted by time, and at each time keep the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

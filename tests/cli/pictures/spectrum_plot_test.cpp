@@ -96,10 +96,10 @@ TEST(SpectrumPlot, DrawsWhatRecordsLack) {
 // Fails if the heading has figures of its own instead of those that all texts give.
 TEST(SpectrumPlot, ShowsTheFiguresOfTheState) {
   const WaveSpectrum record = narrow_sea(0.0);
-  const RgbImage plain = draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.0});
-  EXPECT_EQ(draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.0}).rgb, plain.rgb);
-  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.1, .tp_s = 4.0}).rgb, plain.rgb);
-  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.2}).rgb, plain.rgb);
+  const RgbImage plain = draw_spectrum_plot(record, {.hs_m = 1.0, .peak_period_s = 4.0});
+  EXPECT_EQ(draw_spectrum_plot(record, {.hs_m = 1.0, .peak_period_s = 4.0}).rgb, plain.rgb);
+  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.1, .peak_period_s = 4.0}).rgb, plain.rgb);
+  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.0, .peak_period_s = 4.2}).rgb, plain.rgb);
 }
 
 // Fails if arrays that do not match reach the drawing, which reads them without checks.

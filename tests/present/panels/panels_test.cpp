@@ -107,6 +107,7 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
 // of each slider of the wind and the sun; or if a pull asks for an hour of simulation.
 TEST_F(PanelsTest, SlidersReachTheirRange) {
   scene_.ocean.wakes.resize(1);
+  scene_.ocean.parameters.foam.width = 0.6;
   for (const char* key : {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width",
                           "camera.fov_deg", "ocean.wake.history_s"}) {
     const scene::Parameter& row = *scene::find_parameter(key);

@@ -31,7 +31,8 @@ DrawnWater drawn_beside_queried(world::World& world, const present::WaterSurface
   }
   DrawnWater drawn{.count = points.size()};
   if (points.empty()) return drawn;
-  const std::vector<ocean::WaterSample> samples = world.sample(points);
+  const std::vector<ocean::WaterSample> samples =
+      world.sample(points, {.accuracy = ocean::WaterQuery::Accuracy::frame_maps});
   for (std::size_t i = 0; i < points.size(); ++i) {
     drawn.height_squares_m2 += heights_m[i] * heights_m[i];
     drawn.off_squares_m2 += (samples[i].height_m - heights_m[i]) * (samples[i].height_m - heights_m[i]);
