@@ -1,5 +1,5 @@
 // Foam of the composed sea on a rectangle of rest labels.
-// In:  foam [cascades][n][n] of ocean/foam_now.cl; gradient [cascades][n][n] float4 of ocean/surface_assemble.cl;
+// In:  foam [cascades][n][n] of ocean/foam_decay.cl; gradient [cascades][n][n] float4 of ocean/surface_assemble.cl;
 //      gerstner_gradient [rows][pitch] float4 of ocean/gerstner_surface.cl,
 //      at these samples, unless the pitch is 0; gathering [cascades] float2, factor and steepness
 //      (host/ocean/surface/foam_onset.h); where the samples lie.

@@ -216,10 +216,8 @@ AskedWaves wind_waves(const SpectrumParameters& parameters) {
                                  ? ShallowWater(parameters.dispersion, parameters.depth_factor)
                                  : ShallowWater();
   if (!parameters.hs_m) {
-    const double wind_mps = parameters.wind_speed_mps;
-    return is_pierson_moskowitz
-               ? AskedWaves{{pierson_moskowitz(parameters), water}, wind_mps / profile_195_over_10}
-               : AskedWaves{{jonswap(parameters), water}, wind_mps};
+    return {{is_pierson_moskowitz ? pierson_moskowitz(parameters) : jonswap(parameters), water},
+            wind_at_10_m_mps(parameters.model, parameters.wind_speed_mps)};
   }
   const double gamma = is_pierson_moskowitz ? 1.0 : parameters.gamma;
   const double peak_period_s =

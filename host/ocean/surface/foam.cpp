@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -97,7 +98,6 @@ Foam::Foam(const ocl::Device& device, const WaveModes& modes, const FoamParamete
   filter_ = ocl::Program::build(device, "ocean/mode_filter.cl").kernel("mode_filter");
   coverage_ = ocl::Program::build(device, "ocean/foam_coverage.cl").kernel("foam_coverage");
   decay_ = ocl::Program::build(device, "ocean/foam_decay.cl").kernel("foam_decay");
-  now_ = ocl::Program::build(device, "ocean/foam_now.cl").kernel("foam_now");
   past_ = ocl::Buffer<float>(device, texels_, "foam of an instant");
 }
 
@@ -137,14 +137,15 @@ bool Foam::make_coverages(const WaveModes& modes, SurfaceMaps& surface, std::int
   return !needed.empty();
 }
 
-/// The foam of an instant whose coverages there are.
+/// The foam of an instant whose coverages there are. foam_ is room to work in.
 void Foam::make_past(std::int64_t instant) {
   if (past_key_ == instants_.key_of(instant)) return;
   past_key_.reset();
   past_.fill(0.0f);
   for (std::int64_t j = 0; j <= instants_.past_count(); ++j) {
-    decay_.launch({{texels_, 1, 1}}, coverages_.at(instants_.key_of(instant - j)),
-                  static_cast<float>(instants_.weight(static_cast<double>(j))), past_);
+    decay_.launch({{texels_, 1, 1}}, past_, 1.0f, coverages_.at(instants_.key_of(instant - j)),
+                  static_cast<float>(instants_.weight(static_cast<double>(j))), foam_);
+    std::swap(past_, foam_);
   }
   past_key_ = instants_.key_of(instant);
 }
@@ -157,8 +158,8 @@ bool Foam::at(const WaveModes& modes, SurfaceMaps& surface, double time_s) {
     used_surface = make_coverages(modes, surface, instant + 1);
     make_past(instant);
     const double share = instants_.share_beyond(instant, time_s);
-    now_.launch({{texels_, 1, 1}}, past_, static_cast<float>(instants_.weight(share)),
-                coverages_.at(instants_.key_of(instant + 1)), static_cast<float>(share), foam_);
+    decay_.launch({{texels_, 1, 1}}, past_, static_cast<float>(instants_.weight(share)),
+                  coverages_.at(instants_.key_of(instant + 1)), static_cast<float>(share), foam_);
   } else {
     foam_.fill(0.0f);
   }

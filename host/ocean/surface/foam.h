@@ -76,7 +76,7 @@ class Foam {
   double choppiness_, k_most_radpm_;
   FoamInstants instants_;
   std::size_t texels_;
-  ocl::Kernel filter_, coverage_, decay_, now_;
+  ocl::Kernel filter_, coverage_, decay_;
   ocl::Buffer<float> amplitude_;  // of the waves that foam, once they are asked for
   std::map<std::int64_t, Coverage> coverages_;
   std::optional<std::int64_t> past_key_;  // of the instant that past_ belongs to
