@@ -207,17 +207,10 @@ ocean::Wind wind_of_sea(const Scene& scene) {
           .wind_direction_rad = scene.ocean.wind_direction_rad.value_or(scene.wind.wind_direction_rad)};
 }
 
-Sea prepare_sea(const Scene& scene, Warnings warnings) {
-  if (!scene.has_sea()) {
-    throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
-                "add an [ocean] section to the scene");
-  }
-  if (!scene.ocean.modes_file.empty()) {
-    Sea sea = sea_of_modes(scene);
-    add_whitecaps(scene, sea);
-    if (warnings == Warnings::logged) log_warnings(scene, sea);
-    return sea;
-  }
+namespace {
+
+/// The sea of a spectrum, modelled or measured, without what prepare_sea() adds to all seas.
+Sea sea_of_spectrum(const Scene& scene) {
   Sea sea;
   const ocean::Wind wind = wind_of_sea(scene);
   ocean::SpectrumParameters spectrum = scene.ocean.spectrum;
@@ -253,9 +246,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
   add_swells(scene, sea);
 
   sea.parameters = scene.ocean.parameters;
-  sea.parameters.seed = scene.world.seed;
   sea.parameters.loop_period_s = scene.time.loop_period_s;
-  add_whitecaps(scene, sea);
   sea.gerstner_choice = gerstner_choice(scene, sea.spectrum);
   const double split_radpm = sea.gerstner_choice ? sea.gerstner_choice->split_radpm : 0.0;
   sea.parameters.cascades = scene.ocean.patch_lengths_m.empty()
@@ -263,7 +254,21 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
                                                          scene.ocean.cascade_count, split_radpm)
                                 : ocean::cascades_from_patches(scene.ocean.patch_lengths_m,
                                                                scene.ocean.parameters.size, split_radpm);
-  sea.swells = swells_of(scene, sea.spectrum.dispersion);
+  return sea;
+}
+
+}  // namespace
+
+Sea prepare_sea(const Scene& scene, Warnings warnings) {
+  if (!scene.has_sea()) {
+    throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
+                "add an [ocean] section to the scene");
+  }
+  Sea sea = scene.ocean.modes_file.empty() ? sea_of_spectrum(scene) : sea_of_modes(scene);
+  sea.parameters.seed = scene.world.seed;
+  add_whitecaps(scene, sea);
+  const std::vector<ocean::GerstnerWave> swells = swells_of(scene, sea.spectrum.dispersion);
+  sea.swells.insert(sea.swells.begin(), swells.begin(), swells.end());
   sea.raindrops = scene.ocean.raindrops;
   sea.parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   if (warnings == Warnings::logged) log_warnings(scene, sea);

@@ -18,18 +18,17 @@ Sea sea_of_modes(const Scene& scene) {
   dispersion.depth_m = scene.ocean.depth_m.value_or(modes->depth_m);
 
   Sea sea;
+  sea.wind = wind_of_sea(scene);
   sea.measured = ocean::spectrum_of(*modes);
   sea.measured->station = std::filesystem::path(file).filename().string();
   sea.spectrum = ocean::from_measured(*sea.measured, scene.ocean.spectrum.spreading, dispersion);
   sea.parameters = scene.ocean.parameters;
-  sea.parameters.seed = scene.world.seed;
   sea.parameters.modes = modes;
   sea.parameters.size = modes->size;
   sea.parameters.choppiness = modes->choppiness;
   sea.parameters.loop_period_s = scene.time.loop_period_s ? scene.time.loop_period_s : modes->loop_period_s;
   sea.parameters.cascades =
       ocean::cascades_from_patches(modes->patch_lengths_m, modes->size, modes->split_radpm);
-  sea.swells = swells_of(scene, dispersion);
   for (const SeaMode& mode : modes->modes) {
     if (mode.patch != SeaMode::alone) continue;
     sea.swells.push_back({.amplitude_m = mode.amplitude_m,
@@ -38,8 +37,6 @@ Sea sea_of_modes(const Scene& scene) {
                           .omega_radps = mode.omega_radps,
                           .phase_rad = mode.phase_rad});
   }
-  sea.raindrops = scene.ocean.raindrops;
-  sea.parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   return sea;
 }
 
