@@ -10,6 +10,7 @@
 #include <imgui_stdlib.h>
 
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/presets.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/ray_overlay.h"
 #include "present/panels/bookmark_panel.h"
@@ -86,9 +87,23 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
   ImGui::EndDisabled();
 }
 
+/// The presets of a group, to choose from.
+void draw_presets(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
+  const auto is_of_group = [&](const scene::Preset& preset) { return preset.group == panel.group; };
+  if (std::ranges::none_of(scene::presets(), is_of_group)) return;
+  if (!ImGui::BeginCombo("preset", "choose")) return;
+  for (const scene::Preset& preset : scene::presets()) {
+    if (!is_of_group(preset) || !ImGui::Selectable(std::string(preset.label).c_str())) continue;
+    scene::apply(preset, state.scene);
+    note(Edit::done, panel, state, edits);
+  }
+  ImGui::EndCombo();
+}
+
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
   if (panel.group == ParameterGroup::bookmark) return draw_bookmarks(state, edits);
+  draw_presets(panel, state, edits);
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
   if (rows.front()->section->is_repeated()) {
     draw_elements(panel, rows, state, edits);

@@ -13,6 +13,7 @@
 #include "host/scene/prepare/sampled_spectrum.h"
 #include "host/scene/prepare/sea.h"
 #include "host/scene/prepare/world_scene.h"
+#include "host/scene/schema/presets.h"
 #include "host/scene/schema/unused_parameters.h"
 
 namespace offing::scene {
@@ -53,6 +54,31 @@ TEST(SeaByHeight, ExcludesWhatItReplaces) {
   EXPECT_THAT(warnings("hs_m = 2\n[wind]\nspeed_mps = 9\n"),
               testing::ElementsAre(testing::HasSubstr("ocean.wind_speed_mps")));
   EXPECT_THAT(warnings("hs_m = 2\nwind_speed_mps = 9\n"), testing::IsEmpty());
+}
+
+// Fails if a preset names a key that is not there, a value out of range, or leaves what contradicts it.
+TEST(SeaByHeight, PresetsMakeSeasOfTheBeaufortScale) {
+  EXPECT_EQ(presets().size(), 12u);
+  double last_hs_m = 0.0;
+  for (const Preset& preset : presets()) {
+    Scene scene = sea_scene("tz_s = 5\nhs_m = 1\nwind_speed_mps = 3\n");
+    apply(preset, scene);
+    const Sea sea = prepare_sea(scene);
+    const ocean::SeaState state = ocean::integrate_sea_state(sea.spectrum);
+    EXPECT_NEAR(state.peak_period_s, 5.0 * std::sqrt(state.hs_m), 0.02 * state.peak_period_s) << preset.name;
+    EXPECT_GT(state.hs_m, last_hs_m) << preset.name;
+    last_hs_m = state.hs_m;
+    const double force = std::stod(std::string(preset.name.substr(std::string("beaufort-").size())));
+    EXPECT_NEAR(sea.wind.wind_speed_mps, 0.836 * std::pow(force, 1.5), 0.05) << preset.name;
+    EXPECT_THAT(unused_parameters(scene, sea), testing::IsEmpty()) << preset.name;
+  }
+  try {
+    find_preset("beaufort-13", "--preset");
+    FAIL() << "a preset that is not there";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "--preset: expected the name of a preset, got \"beaufort-13\"");
+    EXPECT_THAT(error.hint(), testing::HasSubstr("beaufort-12"));
+  }
 }
 
 // Fails if the wind of whitecaps and wave age is not the one that makes such a sea, or one's own.

@@ -12,6 +12,7 @@
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/presets.h"
 #include "host/scene/schema/scene_elements.h"
 
 namespace offing::cli {
@@ -141,10 +142,15 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
       option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
   }
-  if (std::find(groups.begin(), groups.end(), ParameterGroup::sea) != groups.end()) add_swell_option(command);
+  if (std::find(groups.begin(), groups.end(), ParameterGroup::sea) != groups.end()) add_sea_options(command);
 }
 
-void ParameterOptions::add_swell_option(CLI::App& command) {
+void ParameterOptions::add_sea_options(CLI::App& command) {
+  command
+      .add_option("--preset", preset_,
+                  "set the sea of a Beaufort force, beaufort-1 to beaufort-12; other flags override it")
+      ->type_name("NAME")
+      ->group(title(ParameterGroup::sea));
   command
       .add_option("--swell", swells_,
                   "add a swell, with keys of [[ocean.swell]]; repeat it for several: --swell "
@@ -159,6 +165,7 @@ scene::Scene ParameterOptions::read() const {
   scene::Scene scene;
   if (!scene_file_.empty()) scene = scene::load_scene(scene_file_, trust_);
   scene.trust = trust_;
+  if (!preset_.empty()) scene::apply(scene::find_preset(preset_, "--preset"), scene);
   for (const Flag& flag : flags_) {
     if (!flag.values.empty()) take_out_others(scene, flag);
   }
@@ -204,8 +211,7 @@ void ParameterOptions::take_out_others(scene::Scene& scene, const Flag& flag) co
                               flag.parameter->flag, row.flag),
                   "remove one of them");
     }
-    scene::copy_value(row, scene::default_struct(*row.section), scene::struct_at(&scene, *row.section, {}));
-    scene.set_at.erase({row.key, {}});
+    scene::clear_value(scene, row);
   }
 }
 

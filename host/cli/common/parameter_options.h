@@ -40,7 +40,7 @@ class ParameterOptions {
     std::optional<OptionRow> bound = std::nullopt;
   };
 
-  void add_swell_option(CLI::App& command);
+  void add_sea_options(CLI::App& command);
   void read_flag(scene::Scene& scene, const Flag& flag) const;
   void store_flag(scene::Scene& scene, const scene::Parameter& parameter, const std::string& text,
                   const scene::Place& place) const;
@@ -52,6 +52,7 @@ class ParameterOptions {
   std::string scene_file_;
   Trust trust_ = Trust::trusted;
   DirectionStyle directions_ = DirectionStyle::travel;
+  std::string preset_;
   std::vector<std::string> swells_;
   std::deque<Flag> flags_;  // a deque: CLI11 keeps references to the values
 };

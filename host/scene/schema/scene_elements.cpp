@@ -137,6 +137,11 @@ std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, Elemen
   return numbers_in(struct_at(&scene, *parameter.section, element), parameter);
 }
 
+void clear_value(Scene& scene, const Parameter& parameter) {
+  copy_value(parameter, default_struct(*parameter.section), struct_at(&scene, *parameter.section, {}));
+  scene.set_at.erase({parameter.key, {}});
+}
+
 const void* default_struct(const Section& section) {
   static const Scene usual = [] {
     Scene scene;

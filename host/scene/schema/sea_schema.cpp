@@ -149,7 +149,7 @@ std::string needs_cosine(const UseContext& context, const OceanSection& ocean) {
 }
 
 /// A sea that wind makes, or one whose spreading has a wave age.
-std::string needs_own_wind(const UseContext& context, const OceanSection& ocean) {
+std::string needs_wind_of_waves(const UseContext& context, const OceanSection& ocean) {
   if (!context.sea.is_measured) {
     return ocean.spectrum.model == SpectrumModel::swell ? spectrum_is(ocean) : "";
   }
@@ -159,11 +159,17 @@ std::string needs_own_wind(const UseContext& context, const OceanSection& ocean)
   return reason.empty() && !has_wave_age ? spreading_is(ocean) : reason;
 }
 
+/// The wind also makes the whitecaps, unless the scene says how much foam there is.
+std::string needs_own_wind(const UseContext& context, const OceanSection& ocean) {
+  const FoamParameters& foam = ocean.parameters.foam;
+  return foam.fraction || foam.onset_jacobian ? needs_wind_of_waves(context, ocean) : "";
+}
+
 std::string needs_wind(const UseContext& context, const ocean::Wind&) {
   if (context.sea.is_measured) return "a measured sea uses only its own wind, ocean.wind_speed_mps";
   return is_by_height(context.scene.ocean.spectrum)
              ? "a sea by height and period uses only its own wind, ocean.wind_speed_mps"
-             : needs_own_wind(context, context.scene.ocean);
+             : needs_wind_of_waves(context, context.scene.ocean);
 }
 
 std::string needs_no_onset(const UseContext&, const FoamParameters& foam) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -58,18 +59,41 @@ float foam_height(Point place) {
          0.5f * border_distance(moved(0.02f), 37, 4) - 0.35f * border_distance(place, 83, 5);
 }
 
-// Each value's rank among all.
-std::vector<std::uint8_t> ranks_of(const std::vector<float>& heights) {
+// The x that a standard normal variable exceeds with this probability: bisection of its distribution.
+double normal_quantile(double above) {
+  double low = -8.0, high = 8.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(middle / std::numbers::sqrt2) > above ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+struct Texel {
+  std::uint16_t value, square;
+};
+
+// Values by their rank, as a normal distribution has them, and their squares, both as foam_texture() packs
+// them.
+std::vector<Texel> normal_texels(const std::vector<float>& heights) {
   std::vector<std::uint32_t> order(heights.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return heights[a] != heights[b] ? heights[a] < heights[b] : a < b;
   });
-  std::vector<std::uint8_t> ranks(heights.size());
+  const auto packed = [](double value, double low, double high) {
+    return static_cast<std::uint16_t>(
+        std::lround(65535.0 * std::clamp((value - low) / (high - low), 0.0, 1.0)));
+  };
+  const auto count = static_cast<double>(order.size());
+  std::vector<Texel> texels(heights.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    ranks[order[i]] = static_cast<std::uint8_t>(i * 256 / order.size());
+    const double value = std::clamp(normal_quantile(1.0 - (static_cast<double>(i) + 0.5) / count),
+                                    -foam_value_limit, foam_value_limit);
+    texels[order[i]] = {packed(value, -foam_value_limit, foam_value_limit),
+                        packed(value * value, 0.0, foam_value_limit * foam_value_limit)};
   }
-  return ranks;
+  return texels;
 }
 
 }  // namespace
@@ -83,10 +107,10 @@ GlTexture foam_texture() {
           foam_height({(static_cast<float>(column) + 0.5f) / size, (static_cast<float>(row) + 0.5f) / size}));
     }
   }
-  const std::vector<std::uint8_t> ranks = ranks_of(heights);
+  const std::vector<Texel> texels = normal_texels(heights);
   GlTexture texture = GlTexture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size, size, 0, GL_RED, GL_UNSIGNED_BYTE, ranks.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, size, size, 0, GL_RG, GL_UNSIGNED_SHORT, texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glGenerateMipmap(GL_TEXTURE_2D);
   return texture;

@@ -7,7 +7,7 @@ uniform sampler2D facet_of;
 uniform sampler2D strain_of;
 uniform sampler2D depth_of;
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
-uniform sampler2D foam_pattern;  // even values 0 ... 1
+uniform sampler2D foam_pattern;  // foam_texture()
 
 out vec4 light;
 
@@ -53,20 +53,41 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   return FacetLight(mirrored + sky + (1.0 - mirrors) * water_kcdpm2, mirrored, mirrors * local.a);
 }
 
+// The standard normal distribution function, within 2e-4 (Bowling et al. 2009), and its inverse, within 0.02 for
+// shares from 1e-4 on.
+float normal_share(float x) { return 1.0 / (1.0 + exp(-x * (1.5976 + 0.07056 * x * x))); }
+float normal_quantile(float share) {
+  return 5.494 * sinh(asinh(0.3418 * log(share / (1.0 - share))) / 3.0);
+}
+
+// Mean and variance of the pattern of foam in a pixel.
+vec2 foam_moments(vec2 place, float level) {
+  vec2 texel = textureLod(foam_pattern, place, level).rg * vec2(2.0 * FOAM_VALUE_LIMIT, FOAM_VALUE_LIMIT * FOAM_VALUE_LIMIT);
+  float mean = texel.x - FOAM_VALUE_LIMIT;
+  return vec2(mean, max(texel.y - mean * mean, 0.0));
+}
+
 // How much of the water foam of this coverage hides here: patches, threads and streaks that drift with the water,
-// as far as a pixel shows them.
+// as far as a pixel shows them. The pattern's values are normal and foam lies where they exceed a threshold, so that
+// the mean opacity is the coverage at every width: what a pixel hides of the pattern softens its edges.
 float foam_opacity(float coverage, vec2 label_m, float width_m) {
-  if (coverage <= 0.0) return 0.0;
+  const float softness = 0.35;
+  if (coverage <= 1e-4) return max(coverage, 0.0);
   vec2 place = water.foam_place + label_m / water.foam_tile_m;
   float texel_m = water.foam_tile_m / float(textureSize(foam_pattern, 0).x);
   float level = max(0.0, log2(width_m / texel_m));
-  float fine = textureLod(foam_pattern, place, level).r;
+  vec2 fine = foam_moments(place, level);
   vec2 streak_place = water.streak_place + label_m.x * water.streak_x + label_m.y * water.streak_z;
-  float streaks = textureLod(foam_pattern, streak_place, max(0.0, level - 2.0)).r;
+  vec2 streaks = foam_moments(streak_place, max(0.0, level - 2.0));
   // Fresh foam is whole; as it thins out the wind draws it into streaks.
-  float pattern = mix(fine, streaks, mix(water.streak_share, 0.35, smoothstep(0.1, 0.7, coverage)));
-  float textured = clamp(0.5 + (pattern - 1.0 + coverage) / (0.35 + 0.2 * level), 0.0, 1.0);
-  return mix(textured, coverage, clamp(0.25 * level - 0.5, 0.0, 1.0));
+  float share = mix(water.streak_share, 0.35, smoothstep(0.1, 0.7, coverage));
+  vec2 shares = vec2(1.0 - share, share);
+  float value = dot(shares, vec2(fine.x, streaks.x));
+  shares *= shares;
+  float hidden = dot(shares, vec2(fine.y, streaks.y));
+  float all = shares.x + shares.y + softness * softness;
+  float threshold = -sqrt(all) * normal_quantile(min(coverage, 0.9999));
+  return normal_share((value - threshold) / sqrt(hidden + softness * softness));
 }
 
 // Factors of FoamGathering for each cascade, as far as the longer waves are drawn: gerstner_share of those of Gerstner
@@ -86,12 +107,12 @@ vec4 gathering_factor(float width_m, float gerstner_share) {
   return factor;
 }
 
-// A way aside by up to a texel of a foam map, in texels: long waves have maps of texels of metres, whose
+// A way aside by about a texel of a foam map, in texels: long waves have maps of texels of metres, whose
 // squares would show.
 vec2 ragged(vec2 label_m, float width_m) {
   vec2 place = 0.31 * (water.foam_place + label_m / water.foam_tile_m);
   float level = max(0.0, log2(0.31 * width_m * float(textureSize(foam_pattern, 0).x) / water.foam_tile_m));
-  return vec2(textureLod(foam_pattern, place, level).r, textureLod(foam_pattern, 0.5 - place.yx, level).r) * 2.0 - 1.0;
+  return 0.6 * vec2(foam_moments(place, level).x, foam_moments(0.5 - place.yx, level).x);
 }
 
 void main() {

@@ -101,11 +101,13 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
       foam_pattern_(foam_texture()) {}
 
 ShaderProgram WaterPass::program_for(const Features& features) {
-  const ShaderPart compiled_for{"features of the water",
-                                fmt::format("#define TAPS {}\n#define WATER_SHOW {:d}\n#define MIRRORS {:d}\n"
-                                            "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
-                                            features.taps, static_cast<int>(features.debug), features.mirrors,
-                                            features.mirrors_things, features.shows_beneath)};
+  const ShaderPart compiled_for{
+      "features of the water",
+      fmt::format("#define TAPS {}\n#define WATER_SHOW {:d}\n#define MIRRORS {:d}\n"
+                  "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n"
+                  "#define FOAM_VALUE_LIMIT {:.1f}\n",
+                  features.taps, static_cast<int>(features.debug), features.mirrors, features.mirrors_things,
+                  features.shows_beneath, foam_value_limit)};
   std::vector<ShaderPart> fragment =
       water_uniforms("Water", "ViewUniforms view; WaveUniforms waves; WaterUniforms water;");
   for (const ShaderPart& part : {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl")})
