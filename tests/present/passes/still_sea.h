@@ -42,10 +42,13 @@ class StillSea : public GlTest {
     present::Frame frame(*context_, *device_, {.water = {{64, 64}, 1, views_px}, .transfer = {}});
     for (const Camera& camera : cameras) {
       world.at(0.0, camera.eye_m.y);
-      frame.draw(world, {.camera = camera, .exposure = 0.1, .sky = sky, .quality = quality});
+      frame.draw(world, {.camera = camera, .exposure = 0.1, .debug = shown_, .sky = sky, .quality = quality});
     }
     return frame.light().read();
   }
+
+  /// What pictures of the water show.
+  present::WaterShow shown_ = present::WaterShow::none;
 
   static const float* pixel(const std::vector<float>& light, int column, int row) {
     return &light[static_cast<std::size_t>(4 * (row * side_px + column))];
