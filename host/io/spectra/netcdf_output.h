@@ -11,15 +11,19 @@ namespace offing::spectra {
 
 /// What a new NetCDF file holds.
 struct NetcdfLayout {
+  /// An attribute.
   struct Text {
     std::string name, value;
   };
+  /// An axis of variables.
   struct Dimension {
     std::string name;
     std::size_t length =
         0;  ///< 0: grows as values are put; at most one, the first of each variable that has it
   };
+  /// Of the values of a variable.
   enum class Type { int32, float32, float64 };
+  /// An array with its axes.
   struct Variable {
     std::string name;
     Type type = Type::float64;

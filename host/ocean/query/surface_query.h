@@ -26,11 +26,13 @@ struct FrameMaps {
   const ocl::Buffer<float>& gradient;
   const ocl::Buffer<float>* flow;  ///< that of VelocityMap at the query's depth; none: not asked for
 };
+/// Maps made for queries, read by splines.
 struct SplineMaps {
   const ocl::Buffer<float>& map;  ///< of QueryMaps
   int map_fields;
   std::span<const float> scales;  ///< [QUERY_MAP_FIELDS]
 };
+/// The modes, which a query sums.
 struct ModeSums {
   const ocl::Buffer<float>& fields;  ///< of ModeFields
   int columns;                       ///< of WaveModes

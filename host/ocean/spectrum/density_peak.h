@@ -12,6 +12,7 @@ struct FrequencyBin {
   double waves = 0.0;  ///< m0^2 / sum of V^2 of its waves' expected energies V; for the error alone
 };
 
+/// The frequency at which the energy density is largest.
 struct DensityPeak {
   double frequency_hz = 0.0;
   double error =

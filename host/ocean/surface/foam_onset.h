@@ -29,6 +29,7 @@ struct FoamOnset {
   double jacobian = 0.0;  ///< at which foam begins
   double width = 0.0;     ///< below that at which coverage is full
   double fraction = 0.0;  ///< expected area mean of the foam of all cascades together
+  /// The foam that the waves of one cascade make.
   struct CascadeFoam {
     double deviation = 0.0;        ///< of the compression, -(d dx/dx + d dz/dz)
     std::vector<double> survival;  ///< share of the area with more foam than (i + 1/2) / size

@@ -11,6 +11,7 @@ namespace offing::scene {
 
 /// Values that go together, under one name.
 struct Preset {
+  /// A key and what it is set to.
   struct Value {
     std::string_view key = {};
     std::string_view text = {};  ///< as a flag has it; empty: no value of the scene's own
