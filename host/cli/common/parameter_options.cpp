@@ -148,13 +148,14 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
 void ParameterOptions::add_sea_options(CLI::App& command) {
   command
       .add_option("--preset", preset_,
-                  "set the sea of a Beaufort force, beaufort-1 to beaufort-12; other flags override it")
+                  "set wind and wave height of a Beaufort force, beaufort-1 to beaufort-12; overrides the "
+                  "scene, but not other flags")
       ->type_name("NAME")
       ->group(title(ParameterGroup::sea));
   command
       .add_option("--swell", swells_,
-                  "add a swell, with keys of [[ocean.swell]]; repeat it for several: --swell "
-                  "hs_m=1.5,tp_s=14,direction_deg=60,spread_deg=10")
+                  "add a swell, by keys of [[ocean.swell]]: irregular with hs_m, else one wave; repeat it "
+                  "for several: --swell hs_m=1.5,tp_s=14,direction_deg=60,spread_deg=10")
       ->type_name("KEY=VALUE,...")
       ->group(title(ParameterGroup::sea))
       ->expected(1)

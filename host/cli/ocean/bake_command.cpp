@@ -259,7 +259,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   add("--export-spectrum", arguments->export_file, "FILE",
       "also write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
-      "make part i of n of the frames, when n processes share a folder (default 1/1)");
+      "make part i of n of the frames, so that n processes can share a folder (default 1/1)");
   add_force_flag(command, settings.existing)
       ->description("replace existing files, including frames of another scene and all files made from them")
       ->group(group);

@@ -1,4 +1,4 @@
-// `offing ocean modes`: the waves that a sea is the sum of, for other programs.
+// `offing ocean modes`: all single waves of a sea, for other programs.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -70,8 +70,7 @@ void run(const ModesArguments& arguments, const GlobalOptions& options) {
 void add_modes_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<ModesArguments>();
-  CLI::App* command =
-      ocean.add_subcommand("modes", "write the waves that a sea is the sum of, for other programs");
+  CLI::App* command = ocean.add_subcommand("modes", "write all single waves of a sea, for other programs");
   command
       ->add_option("-o,--output", arguments->output_file,
                    "file to write: NetCDF (.nc) or CSV (.csv); -: CSV to standard output")
@@ -82,10 +81,12 @@ void add_modes_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-With p = kx_radpm x + kz_radpm z - omega_radps t + phase_rad, the height of water that is at (x, z) at rest is
-the sum of amplitude_m cos p. It is displaced by the sum of -choppiness (kx, kz)/k amplitude_m sin p. Waves
-that are on no patch (patch -1) are Gerstner waves: their choppiness is at most 1 over the sum of their k A.
-The scene key ocean.modes_file reads the file again.
+With p = kx_radpm x + kz_radpm z - omega_radps t + phase_rad, water that is at (x, z) at rest rises by the sum
+of amplitude_m cos p. It moves sideways by the sum of -choppiness (kx, kz)/k amplitude_m sin p. Waves on no
+patch (patch -1) are Gerstner waves: their choppiness is at most 1 over the sum of their k amplitude_m.
+
+--modes-file of the other commands, or the scene key ocean.modes_file, makes a sea of the file. The file has
+no wind: add --wind-speed-mps there for the foam.
 
 Examples:
   offing ocean modes scenes/storm.toml -o storm.nc

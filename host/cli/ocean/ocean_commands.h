@@ -16,7 +16,7 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options);
 /// `offing ocean query [SCENE] --at X,Z --time T | --points FILE --times A:B:DT [-o FILE]`.
 void add_query_command(CLI::App& ocean, GlobalOptions& options);
 
-/// `offing ocean modes [SCENE] -o FILE`: the waves that a sea is the sum of.
+/// `offing ocean modes [SCENE] -o FILE`: all single waves of a sea.
 void add_modes_command(CLI::App& ocean, GlobalOptions& options);
 
 /// `offing ocean spectrum FILE`: lists, draws and exports measured spectra.

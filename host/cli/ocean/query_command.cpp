@@ -223,9 +223,9 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
                          {"automatic", "exact", "maps", "frame-maps"}),
            {.key = "accuracy",
             .help = "exact: sum all waves for each point\nmaps: splines on fine maps, made once for each "
-                    "time\nframe-maps: straight lines on the maps of a bake; short waves lose a quarter "
-                    "of their slopes, and there is no acceleration\nautomatic: exact for up to 16 points, "
-                    "else maps"}}};
+                    "time\nframe-maps: linear interpolation of the maps of a bake; short waves lose a "
+                    "quarter of their slopes, and there is no acceleration\nautomatic: exact for up to 16 "
+                    "points, else maps"}}};
 }
 
 void answer(ocean::Ocean& sea, const ocean::WaterQuery& query, const TimeRange& times, PointSource& points,
@@ -326,7 +326,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
   CLI::App* command = ocean.add_subcommand(
-      "query", "compute height, normal, velocity and pressure of the water at points");
+      "query", "compute height, normal, velocity, pressure and acceleration of the water at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
@@ -353,12 +353,11 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the
-point or, under folding crests, where it cannot get closer: residual_m is the distance that is left.
-error_rms_m is the expected root mean square error of heights, from the spectrum and from how the waves are
-found; choppy crests that fold are not in it. Acceleration is that of linear theory, as is velocity. Pressure
-is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure, but not
-velocity. Samples are sorted by time, and at each time keep the order of the points.
+Samples lie on the displaced surface, within 0.0001 m of the vertical through their point. Where the surface
+folds, that may fail: residual_m is the horizontal distance that is left. error_rms_m is the root mean square
+error of heights that the spectrum and the accuracy predict, without folding crests. Velocity and acceleration
+are those of linear theory. Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings
+change height and pressure, but not velocity. Samples are sorted by time, then in the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

@@ -241,7 +241,10 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
 void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   const auto arguments = std::make_shared<SpectrumArguments>();
   CLI::App* command = ocean.add_subcommand("spectrum", "list, plot and convert measured wave spectra");
-  command->add_option("FILE", arguments->file, "NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF spectra")
+  command
+      ->add_option("FILE", arguments->file,
+                   "measured spectra: NDBC, WAVEWATCH III, SWAN, Datawell, TRIAXYS, Octopus, Spotter or "
+                   "NetCDF")
       ->required()
       ->type_name("");
   arguments->settings.add_to(*command, {{&SpectrumSettings::record, record_facts()}});
@@ -263,11 +266,11 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-With m_n the integral of f^n E(f) over the frequencies of the file: Hs is 4 sqrt(m0), Tm01 m0 / m1,
-Tz (tm02_s) sqrt(m0 / m2). The peak period is 1 / f where E is largest. Tp (tp_s) is the integral of E^4
-over that of f E^4, which follows a broad peak more steadily. Mean direction and spread, sqrt(2 (1 - r)), are
-those of the first circular moment of all energy, r being its length; the peak direction is that of the waves
-at the peak period.
+m_n is the integral of f^n E(f) over the frequencies of the file. Hs is 4 sqrt(m0), Tm01 is m0 / m1, and
+Tz (tz_s, tm02_s) is sqrt(m0 / m2). The peak period is 1 / f where E is largest. Tp of E^4 (tp_s) is the
+integral of E^4 over that of f E^4, which is steadier where the peak is broad. The mean direction is that of
+the mean vector of all energy. The spread is sqrt(2 (1 - r)), r the length of that vector. The peak direction
+is that of the waves at the peak period.
 
 Examples:
   offing ocean spectrum 41010.data_spec

@@ -37,7 +37,7 @@ Schema<SwellScene> swell_schema() {
             .unit = "s",
             .low = 1.0,
             .high = 40.0,
-            .help = "peak period of an irregular swell; the standard deviation of its frequencies is 6 %",
+            .help = "peak period of an irregular swell; its frequencies have a standard deviation of 6 %",
             .example = "14",
             .absent = "12",
             .instead_of = "period_s"},

@@ -207,10 +207,10 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m/s",
         .low = 0.1,
         .high = 60.0,
-        .help = "wind speed at 10 m above the sea (pm: at 19.5 m). Beside hs_m it changes only spreading and "
+        .help = "wind speed at 10 m above the sea (pm: at 19.5 m). With hs_m it affects only spreading and "
                 "whitecaps",
         .example = "10",
-        .absent = "as in [wind]: 10; with hs_m, the wind of such a sea"},
+        .absent = "as in [wind]: 10; with hs_m, computed from height and period"},
        needs_own_wind},
       {&OceanSection::wind_direction_rad,
        {.key = "wind_direction_deg",
@@ -249,7 +249,7 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "s",
         .low = 0.5,
         .high = 40.0,
-        .help = "peak period, at which the energy density E(f) is largest; with hs_m",
+        .help = "peak period, where the energy density E(f) is largest; needs hs_m, except for swell",
         .example = "8",
         .absent = "that of a fully developed sea: 5 sqrt(hs_m)",
         .instead_of = "tz_s"},
@@ -393,9 +393,8 @@ std::vector<Row<OceanSection>> energy_rows() {
        {.key = "modes_file",
         .affects = Affects::spectrum,
         .flag = "--modes-file",
-        .help = "file of the waves themselves, as `offing ocean modes` writes it: NetCDF or CSV; patches, "
-                "size and "
-                "choppiness are the file's",
+        .help = "file of single waves, as `offing ocean modes` writes it: NetCDF or CSV. It replaces the "
+                "spectrum and sets patches, size and choppiness",
         .example = "modes.nc",
         .absent = "waves are drawn from a spectrum",
         .rule = ParameterRule::file_name}},
