@@ -267,19 +267,19 @@ OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const O
 
 /** How offing_sample_water() finds the waves of the cascades at a point. Gerstner waves are exact in all. */
 typedef enum OffingAccuracy {
-  OFFING_ACCURACY_AUTOMATIC, /**< exact for a few points, maps for more */
+  OFFING_ACCURACY_AUTOMATIC, /**< exact for up to 16 points, else maps */
   OFFING_ACCURACY_EXACT,     /**< the sum over all modes, for each point */
   OFFING_ACCURACY_MAPS,      /**< splines on fine maps, which are made once for each time */
-  OFFING_ACCURACY_FRAME_MAPS /**< straight lines on the maps of offing_read(): the fastest. Short waves lose a
-                                  quarter of their slopes, and the acceleration is 0. */
+  OFFING_ACCURACY_FRAME_MAPS /**< linear interpolation of the maps of offing_read(): the fastest. Short waves
+                                  lose a quarter of their slopes, and the acceleration is 0. */
 } OffingAccuracy;
 
 /** Settings of offing_sample_water(). NULL stands for zeros: velocity and pressure at the surface, all waves.
  */
 typedef struct OffingWaterQuery {
   size_t size;             /**< sizeof(OffingWaterQuery) */
-  double depth_m;          /**< of velocity and pressure, below the moving surface */
-  double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
+  double depth_m;          /**< of velocity, pressure and acceleration, below the moving surface */
+  double min_wavelength_m; /**< shorter waves are left out, as for a large hull */
   int is_surface_only; /**< 1: leaves out velocity, pressure and acceleration, which are 0 in samples then */
   int accuracy;        /**< an OffingAccuracy */
 } OffingWaterQuery;
@@ -346,8 +346,8 @@ OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingFie
  * gets n * n floats from index `first` on. Foam and velocity cannot be copied so: use offing_read(). */
 OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
                                size_t first);
-/** Writes the waves that the sea is the sum of, as `offing ocean modes` does: NetCDF where the file's name
- * ends in .nc, else CSV. An existing file is replaced. The scene key ocean.modes_file reads it again. */
+/** Writes all single waves of the sea, as `offing ocean modes` does: NetCDF if the file's name ends in .nc,
+ * else CSV. An existing file is replaced. The scene key ocean.modes_file reads it again. */
 OffingStatus offing_write_modes(OffingWorld* world, const char* file);
 
 /* Terrain. The north-west post of a map is at x = z = 0. Heights are those of the map. Results are in double

@@ -9,25 +9,26 @@
 #include "host/ocean/surface/surface_maps.h"
 #include "host/ocl/device.h"
 
-/// Foam of the cascades at a time, from past instants at which crests folded.
+/// Foam of the cascades at a time, from the crests that folded at past instants.
 namespace offing::ocean {
 
-/// The past instants at which foam looks for folding crests, numbered from time 0. In a loop they are spaced
-/// so that a whole number of them fills it.
+/// The instants at which foam looks for folding crests, numbered from time 0. A whole number of them fills a
+/// loop.
 class FoamInstants {
  public:
   FoamInstants(const FoamParameters& parameters, std::optional<double> loop_period_s);
 
   double step_s() const { return step_s_; }
-  /// How many are looked at before the last one.
+  /// The number of past instants that foam needs before the last one.
   std::int64_t past_count() const { return past_count_; }
   /// The last instant at or before this time.
   std::int64_t at_or_before(double time_s) const;
-  /// Equal for instants that look the same: those a whole loop apart. The first of them is its own key.
+  /// The same for instants with the same waves, which are a whole number of loops apart. The first of them is
+  /// its own key.
   std::int64_t key_of(std::int64_t instant) const;
-  /// How far a time has gone from this instant to the next, 0 ... 1.
+  /// The share of the step from this instant to the next that has passed at a time, 0 ... 1.
   double share_beyond(std::int64_t instant, double time_s) const;
-  /// What is left of foam after so many steps.
+  /// The share of foam that is left after this many steps, whole or not.
   double weight(double instants) const;
 
  private:
@@ -36,27 +37,27 @@ class FoamInstants {
   std::int64_t loop_instants_ = 0;  // 0: no loop
 };
 
-/// Throws Error(bad_input) if these parameters are out of range, or look back at more instants than a frame
-/// has time for.
+/// Throws Error(bad_input) if these parameters are out of range, or need more past instants than a frame has
+/// time for.
 void require_valid_foam(const FoamParameters& parameters);
 
 /// Throws Error(out_of_memory) if the coverages of this many instants would fill more than half of the
 /// device's memory. texels: of all cascades together.
 void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std::size_t texels);
 
-/// Foam of every cascade as FoamParameters has it. It depends on the time alone; what the next frame needs
-/// again is kept.
+/// Foam of every cascade, as foam_parameters.h defines it. It depends on the time alone. Coverages that the
+/// next frame needs are kept.
 class Foam {
  public:
-  /// The sea's choppiness, which its surface maps have. Throws what require_foam_fits() throws.
+  /// `choppiness` is the sea's, which its surface maps have. Throws what require_foam_fits() throws.
   Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
        const FoamOnset& onset, double choppiness, std::optional<double> loop_period_s);
 
-  /// Whether foam() is already that of this time.
+  /// Whether foam() is already the foam at this time.
   bool holds(double time_s) const { return held_s_ == time_s; }
-  /// Enqueues the foam at this time. Returns whether `surface` was needed for instants: it then holds one of
-  /// them. Throws Error(bad_input) if more than three instants would take
-  /// longer than a first picture may (host/base/time_estimate.h).
+  /// Enqueues the foam at this time. Returns whether it used `surface`, which then holds the maps of an
+  /// instant. Throws Error(bad_input) if more than three instants would take longer than a first picture may
+  /// (host/base/time_estimate.h).
   bool at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
   /// Forgets foam and coverages: the waves have changed.
   void reset();
