@@ -67,8 +67,9 @@ class Spectrum:
     def model(cls, name: str, *, wind_speed_mps: float | None = None, wind_direction_rad: float = 0.0,
               frequencies_hz: npt.ArrayLike | None = None, directions: int = 36, **values) -> "Spectrum":
         """A model spectrum: "jonswap", "pm", "tma" or "phillips". `values` are other keys of [ocean], such as fetch_m,
-        depth_m and gamma; hs_m with tp_s or tz_s replaces wind and fetch; swell=[{"hs_m": 1.0, "tp_s": 14.0,
-        "direction_deg": 60.0}] adds swells. The wind speed is 10 m/s, or with hs_m that of such a sea. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
+        depth_m and gamma. hs_m with tp_s or tz_s replaces wind and fetch. swell=[{"hs_m": 1.0, "tp_s": 14.0,
+        "direction_deg": 60.0}] adds a swell. Without wind_speed_mps the wind is 10 m/s, or with hs_m it is computed from
+        height and period. It blows toward wind_direction_rad, from +x (east) toward +z (south)."""
         wind = {"direction_deg": math.degrees(wind_direction_rad) % 360.0}
         if wind_speed_mps is not None:
             values["wind_speed_mps"] = float(wind_speed_mps)

@@ -28,11 +28,11 @@ ACCURACIES = ("automatic", "exact", "maps", "frame_maps")
 
 
 class Water:
-    """The water at points, float32. All but the normals are parts of one array, as the device writes it.
+    """The water at points, float32. All arrays but `normal` are views of one array, which the device wrote.
 
     height_m [n]: of the surface. velocity_mps [n, 3], pressure_pa [n], above air pressure, and acceleration_mps2 [n, 3]:
-    at depth_m; None without flow. residual_m [n]: horizontal distance by which the point was missed; large where the
-    surface folds. error_rms_m [n]: expected root mean square error of height_m, beside what residual_m adds.
+    at depth_m; None without flow. residual_m [n]: horizontal distance between the sample and its point, large where the
+    surface folds. error_rms_m [n]: expected root mean square error of height_m, without what residual_m adds.
     """
 
     def __init__(self, samples, has_flow):
@@ -46,7 +46,7 @@ class Water:
 
     @functools.cached_property
     def normal(self) -> np.ndarray:
-        """[n, 3], of the surface, unit, upward."""
+        """[n, 3]: the upward unit normal of the surface."""
         normal = np.empty((len(self.height_m), 3), np.float32)
         normal[:, 1] = 1.0 / np.sqrt(1.0 + np.square(self._slopes).sum(axis=1))
         normal[:, ::2] = -self._slopes * normal[:, 1:2]
@@ -89,9 +89,10 @@ class World:
         acceleration are those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves
         shorter than min_wavelength_m are left out, as for a large hull.
 
-        `accuracy` "exact" is the sum over all waves for each point. "maps" are splines on fine maps, which are made once for
-        each time. "frame_maps" are straight lines on the maps of fields(), the fastest way. Short waves then lose a quarter
-        of their slopes, and the acceleration is 0. "automatic" takes "exact" for a few points, "maps" for more."""
+        `accuracy` is "exact", "maps", "frame_maps" or "automatic". "exact" sums all waves for each point. "maps" are splines
+        on fine maps, made once for each time. "frame_maps" is linear interpolation of the maps of fields(): the fastest, but
+        short waves lose a quarter of their slopes, and the acceleration is 0. "automatic" is "exact" for up to 16 points,
+        else "maps"."""
         samples = self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow, _accuracy_of(accuracy))
         return Water(samples, flow)
 
@@ -131,8 +132,8 @@ class World:
         self._world.copy_field(_number_of(name), buffer, first + offset // 4, cascade)
 
     def write_modes(self, file: str | os.PathLike) -> None:
-        """Writes the waves that the sea is the sum of: NetCDF where the name ends in ".nc", which xarray reads, else CSV.
-        A scene with {"ocean": {"modes_file": file}} has the same sea."""
+        """Writes all single waves of the sea: NetCDF if the name ends in ".nc", which xarray reads, else CSV. A scene with
+        {"ocean": {"modes_file": file}} has the same waves. The file has no wind: add wind_speed_mps for the same foam."""
         self._world.write_modes(str(file))
 
     def sample_on_device(self, points, count: int, samples, *, depth_m: float = 0.0,
@@ -188,11 +189,11 @@ class World:
 
     def stats(self, seeds: int = 8, *, progress: Callable[[float], object] | None = None) -> dict[str, dict]:
         """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. It has five
-        dicts: "asked" (of the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of
-        swells), "measured", "standard_error" (of measured from resolved), and "foam". The last one has "asked" and
-        "measured", the share of the sea that foam covers. The mean direction is of travel, from east toward south, in
-        degrees (mean_direction_deg) and, as in sea_state(), in radians (mean_direction_rad). progress(share) is as in
-        World()."""
+        dicts. "asked" is the spectrum's, without swells that are one wave. "resolved" is expected of the waves that the
+        fields hold and of all swells. "measured" is the surface's. "standard_error" is that of "measured" from "resolved".
+        "foam" has "asked" and "measured", the share of the sea that foam covers. The mean direction is of travel, from
+        east toward south, in degrees (mean_direction_deg) and, as in sea_state(), in radians (mean_direction_rad).
+        progress(share) is as in World()."""
         return self.scene._scene.measure(self.device._device, seeds, progress)
 
     def __repr__(self):
