@@ -326,7 +326,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
   CLI::App* command = ocean.add_subcommand(
-      "query", "compute height, normal, velocity, pressure and acceleration of the water at points");
+      "query", "compute height, normal, velocity, pressure and acceleration at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
