@@ -11,6 +11,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/bodies/hull.h"
+#include "host/bodies/radiation.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 
@@ -28,7 +29,8 @@ BodyWater device_water(const BodyWaterParameters& water) {
           .gravity_mps2 = static_cast<float>(water.gravity_mps2),
           .viscosity_m2ps = static_cast<float>(water.viscosity_m2ps),
           .step_s = static_cast<float>(1.0 / FloatingBodies::steps_per_s),
-          .steps = FloatingBodies::steps_a_question};
+          .steps = FloatingBodies::steps_a_question,
+          .first_step = 0};
 }
 
 BodyShape device_shape(const FloatingBody& body) {
@@ -58,13 +60,21 @@ BodyShape device_shape(const FloatingBody& body) {
           .length_m = f(extent.high_m.x - extent.low_m.x),
           .face_drag = f(body.drag.face),
           .wake_drag = f(body.drag.wake),
-          .wave_damping = f(body.drag.waves),
+          .wave_damping = body.hydrodynamics ? 0.0f : f(body.drag.waves),
           .propeller_diameter_m = f(body.drive.propeller_diameter_m),
           .rudder_x_m = f(rudder.x),
           .rudder_y_m = f(rudder.y),
           .rudder_z_m = f(rudder.z),
           .rudder_area_m2 = f(body.drive.rudder_area_m2),
-          .rudder_lift = f(body.drive.rudder_lift)};
+          .rudder_lift = f(body.drive.rudder_lift),
+          .first_memory_float = 0,
+          .memory_samples = 0,
+          .steps_a_sample = 1,
+          .first_velocity_float = 0};
+}
+
+void append(const HullMatrix& matrix, std::vector<float>& floats) {
+  for (const double value : matrix) floats.push_back(static_cast<float>(value));
 }
 
 }  // namespace
@@ -80,8 +90,8 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   }
   for (const FloatingBody& body : bodies_) require_valid(body);
 
-  std::vector<BodyShape> shapes;
-  std::vector<float> hull;
+  std::vector<float> hull, memories;
+  std::size_t velocities = 0;
   std::vector<std::uint32_t> owners, faces;
   for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
     const FloatingBody& body = bodies_[number];
@@ -99,11 +109,26 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
     for (const TriangleIndices& face : body.hull.faces) {
       for (const std::uint32_t corner : face) faces.push_back(first + corner);
     }
-    shapes.push_back(shape);
+    if (body.hydrodynamics) {
+      const HullMemory made =
+          memory_of_hull(*body.hydrodynamics, body.mass_centre_m, shape.length_m, steps_per_s);
+      shape.first_memory_float = static_cast<int>(memories.size());
+      shape.memory_samples = static_cast<int>(made.memory.size());
+      shape.steps_a_sample = made.steps_a_sample;
+      shape.first_velocity_float = static_cast<int>(velocities);
+      append(made.added_mass, memories);
+      for (const HullMatrix& matrix : made.memory) append(matrix, memories);
+      velocities += BODY_MOTIONS * made.memory.size();
+    }
+    host_shapes_.push_back(shape);
   }
   vertices_ = owners.size();
-  shapes_ = ocl::Buffer<BodyShape>(device, shapes, "bodies");
+  shapes_ = ocl::Buffer<BodyShape>(device, host_shapes_, "bodies");
   hull_ = ocl::Buffer<float>(device, hull, "hull vertices");
+  // Devices have no buffers without elements.
+  memories.resize(std::max<std::size_t>(memories.size(), 1));
+  memory_ = ocl::Buffer<float>(device, memories, "memories of hulls");
+  velocities_ = ocl::Buffer<float>(device, std::max<std::size_t>(velocities, 1), "velocities of hulls");
   owners_ = ocl::Buffer<std::uint32_t>(device, owners, "owners of hull vertices");
   faces_ = ocl::Buffer<std::uint32_t>(device, faces, "hull faces");
   points_ = ocl::Buffer<SurfaceQueryPoint>(device, vertices_, "points of hulls");
@@ -155,6 +180,18 @@ void FloatingBodies::reset(double time_s) {
     path_.write(states, static_cast<std::size_t>(step) * size());
   }
   reports_.write(std::vector<BodyReport>(size()));
+  // A hull that starts at a speed has had it for long: its waves are steady, and do nothing to it.
+  std::vector<float> had(velocities_.size());
+  for (std::size_t body = 0; body < size(); ++body) {
+    const BodyPose& start = bodies_[body].start;
+    const glm::dvec3 velocity_mps = glm::conjugate(start.turn) * start.velocity_mps;
+    for (int sample = 0; sample < host_shapes_[body].memory_samples; ++sample) {
+      float* const kept = had.data() + host_shapes_[body].first_velocity_float + BODY_MOTIONS * sample;
+      kept[0] = static_cast<float>(velocity_mps.x);
+      kept[2] = static_cast<float>(velocity_mps.z);
+    }
+  }
+  velocities_.write(had);
   reset_s_ = time_s_ = time_s;
   questions_ = 0;
 }
@@ -204,8 +241,10 @@ void FloatingBodies::ask_and_step(const WaterSurface& water, const Drive& drive)
   send_drives(drive);
   points_kernel_.launch({{vertices_}}, now_, hull_, owners_, points_);
   water(question_s(questions_), points_, vertices_, samples_);
+  BodyWater water_now = water_;
+  water_now.first_step = static_cast<int>(steps());
   advance_kernel_.launch({{size() * group_}, {group_}}, shapes_, drives_, now_, hull_, faces_, points_,
-                         samples_, water_, path_, before_, reports_);
+                         samples_, memory_, water_now, velocities_, path_, before_, reports_);
   std::swap(now_, before_);
   ++questions_;
 }

@@ -110,12 +110,14 @@ class FloatingBodies {
   double question_s(std::int64_t question) const;
 
   std::vector<FloatingBody> bodies_;
+  std::vector<BodyShape> host_shapes_;
   BodyWater water_;
   std::size_t group_;  // work-items that share the faces of a body
   ocl::Kernel points_kernel_, advance_kernel_;
   std::size_t vertices_ = 0;
   ocl::Buffer<BodyShape> shapes_;
   ocl::Buffer<float> hull_;
+  ocl::Buffer<float> memory_, velocities_;  // added mass and retardation; velocities that bodies have had
   ocl::Buffer<std::uint32_t> owners_, faces_;
   ocl::Buffer<SurfaceQueryPoint> points_;
   ocl::Buffer<SurfaceQuerySample> samples_;

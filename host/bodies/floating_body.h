@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <glm/vec3.hpp>
 
+#include "host/base/sea/hydrodynamic_data.h"
 #include "host/base/triangle_mesh.h"
 #include "host/bodies/body_pose.h"
 
@@ -42,6 +44,9 @@ struct FloatingBody {
   glm::dmat3 inertia_kgm2{0.0};   ///< about the mass centre, in the mesh's own axes, positive definite
   HullDrag drag = {};
   HullDrive drive = {};
+  /// Added mass and the damping by the waves made. With them, the estimates of `drag` for both (waves,
+  /// added_*) do not count; without, those do.
+  std::shared_ptr<const HydrodynamicData> hydrodynamics = {};
   BodyPose start = {};
 };
 

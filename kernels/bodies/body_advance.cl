@@ -1,7 +1,9 @@
 // Rigid bodies on water for some sub-steps: a work-group a body, of GROUP work-items, a power of two.
 // In:  shapes [bodies], drives [bodies][steps], states [bodies] at the first sub-step, water, all of shared/bodies.h;
 //      vertices [vertices][3] m in body axes; faces [faces][3]: vertices, anticlockwise seen from outside;
-//      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl).
+//      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl);
+//      memory: added mass and retardation, as BodyShape says.
+// Inout: velocities: those that bodies have had, [memory_samples][BODY_MOTIONS] of each, a ring.
 // Out: path [steps][bodies]: the states after each sub-step; ends [bodies]: those after the last one; reports [bodies] of
 //      that one.
 // The water at a later sub-step is that of the first one, moved on along its slope and by the speed of its surface:
@@ -9,6 +11,9 @@
 //  - the pressure of the water above it, density * gravity * depth, integrated in closed form;
 //  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
+// A body with a memory moves by Cummins' equation: (M + A) a + C(v) v + sum of K v' = force, in body axes, C being the
+// Coriolis terms of both masses (Fossen 2011, section 6.3), by Cayley's step, which keeps energy. Added mass and
+// retardation fade from half its displacement on, so that they are not those of a body in the air.
 // Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are each weakened as an
 // implicit step would, so that neither turns a motion around. Speed and spin have bounds far above those of any hull
 // (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
@@ -195,8 +200,140 @@ static float displaced_by(const BodyWater* water, const Wrench* wrench) {
   return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
 }
 
+typedef struct {
+  float at[BODY_MATRIX];
+} Matrix;
+
+// Velocity or momentum along and about the axes.
+typedef struct {
+  float at[BODY_MOTIONS];
+} Motions;
+
+static Motions motions_of(float3 along, float3 about) {
+  const Motions made = {{along.x, along.y, along.z, about.x, about.y, about.z}};
+  return made;
+}
+
+static float3 along_of(const Motions* motions) {
+  return (float3)(motions->at[0], motions->at[1], motions->at[2]);
+}
+
+static float3 about_of(const Motions* motions) {
+  return (float3)(motions->at[3], motions->at[4], motions->at[5]);
+}
+
+static Motions product(const Matrix* matrix, const Motions* motions) {
+  Motions made;
+  for (int i = 0; i < BODY_MOTIONS; ++i) {
+    made.at[i] = 0.0f;
+    for (int j = 0; j < BODY_MOTIONS; ++j) made.at[i] += matrix->at[BODY_MOTIONS * i + j] * motions->at[j];
+  }
+  return made;
+}
+
+// Adds -S(v), the matrix of u -> u x v, in rows and columns from these on.
+static void add_cross(float3 v, float scale, int row, int column, Matrix* matrix) {
+  __private float* at = matrix->at + BODY_MOTIONS * row + column;
+  at[1] += scale * v.z;
+  at[2] -= scale * v.y;
+  at[BODY_MOTIONS] -= scale * v.z;
+  at[BODY_MOTIONS + 2] += scale * v.x;
+  at[2 * BODY_MOTIONS] += scale * v.y;
+  at[2 * BODY_MOTIONS + 1] -= scale * v.x;
+}
+
+// Elimination without exchange: the symmetric part is positive definite.
+static Motions solved(Matrix matrix, Motions right) {
+  for (int pivot = 0; pivot < BODY_MOTIONS; ++pivot) {
+    for (int row = pivot + 1; row < BODY_MOTIONS; ++row) {
+      const float times = matrix.at[BODY_MOTIONS * row + pivot] / matrix.at[(BODY_MOTIONS + 1) * pivot];
+      for (int column = pivot; column < BODY_MOTIONS; ++column) {
+        matrix.at[BODY_MOTIONS * row + column] -= times * matrix.at[BODY_MOTIONS * pivot + column];
+      }
+      right.at[row] -= times * right.at[pivot];
+    }
+  }
+  for (int row = BODY_MOTIONS - 1; row >= 0; --row) {
+    for (int column = row + 1; column < BODY_MOTIONS; ++column) {
+      right.at[row] -= matrix.at[BODY_MOTIONS * row + column] * right.at[column];
+    }
+    right.at[row] /= matrix.at[(BODY_MOTIONS + 1) * row];
+  }
+  return right;
+}
+
+// New velocities by Cummins' equation; `force` and `moment` in world axes, `past` what earlier velocities do. Returns
+// what radiation does.
+static Motions move_by_memory(const BodyShape* shape, const BodyWater* water, __global const float* memory,
+                              const Motions* past, float displaced, float3 force, float3 moment, Motion* motion,
+                              Motions* next) {
+  const float share = clamp(2.0f * water->density_kgpm3 * displaced / shape->mass_kg, 0.0f, 1.0f);
+  const float step = water->step_s;
+  const Motions before = motions_of(turned_back(motion->turn, motion->velocity), motion->spin);
+  Matrix mass;
+  for (int i = 0; i < BODY_MATRIX; ++i) mass.at[i] = share * memory[i];
+  mass.at[0] += shape->mass_kg;
+  mass.at[7] += shape->mass_kg;
+  mass.at[14] += shape->mass_kg;
+  mass.at[21] += shape->inertia_xx;
+  mass.at[28] += shape->inertia_yy;
+  mass.at[35] += shape->inertia_zz;
+  mass.at[22] += shape->inertia_xy;
+  mass.at[27] += shape->inertia_xy;
+  mass.at[23] += shape->inertia_xz;
+  mass.at[33] += shape->inertia_xz;
+  mass.at[29] += shape->inertia_yz;
+  mass.at[34] += shape->inertia_yz;
+  const Motions momentum = product(&mass, &before);
+  // C v = (spin x p, v x p + spin x q): skew, so that C does no work.
+  Matrix left = mass;
+  Matrix right = mass;
+  const float half_step = 0.5f * step;
+  add_cross(along_of(&momentum), half_step, 0, 3, &left);
+  add_cross(along_of(&momentum), half_step, 3, 0, &left);
+  add_cross(about_of(&momentum), half_step, 3, 3, &left);
+  add_cross(along_of(&momentum), -half_step, 0, 3, &right);
+  add_cross(along_of(&momentum), -half_step, 3, 0, &right);
+  add_cross(about_of(&momentum), -half_step, 3, 3, &right);
+  for (int i = 0; i < BODY_MATRIX; ++i) left.at[i] += share * step * memory[BODY_MATRIX + i];
+  const Motions push = motions_of(turned_back(motion->turn, force), turned_back(motion->turn, moment));
+  Motions sum = product(&right, &before);
+  for (int i = 0; i < BODY_MOTIONS; ++i) sum.at[i] += step * (push.at[i] + share * past->at[i]);
+  *next = solved(left, sum);
+  Motions radiation;
+  for (int i = 0; i < BODY_MOTIONS; ++i) {
+    radiation.at[i] = past->at[i];
+    for (int j = 0; j < BODY_MOTIONS; ++j) {
+      radiation.at[i] -= memory[BODY_MATRIX + BODY_MOTIONS * i + j] * next->at[j];
+    }
+    radiation.at[i] *= share;
+  }
+  return radiation;
+}
+
+// What velocities before this sub-step do, by samples lane, lane + GROUP, ...: between the sample `now` and the next
+// one, which needs no velocity that is still to come, in proportion.
+static Motions part_of_past(const BodyShape* shape, __global const float* memory, __global const float* velocities,
+                            int sample, float share, int lane) {
+  Motions sum = motions_of((float3)(0.0f), (float3)(0.0f));
+  for (int n = lane + 1; n < shape->memory_samples; n += GROUP) {
+    const int later = (sample + 1 - n + shape->memory_samples) % shape->memory_samples;
+    const int earlier = (sample - n + shape->memory_samples) % shape->memory_samples;
+    float velocity[BODY_MOTIONS];
+    for (int j = 0; j < BODY_MOTIONS; ++j) {
+      velocity[j] = mix(velocities[BODY_MOTIONS * earlier + j], velocities[BODY_MOTIONS * later + j], share);
+    }
+    __global const float* kept = memory + BODY_MATRIX * (n + 1);
+    for (int i = 0; i < BODY_MOTIONS; ++i) {
+      for (int j = 0; j < BODY_MOTIONS; ++j) sum.at[i] -= kept[BODY_MOTIONS * i + j] * velocity[j];
+    }
+  }
+  return sum;
+}
+
 static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
-                    const Wrench* wrench, float3 propeller, float propeller_depth, Motion* motion) {
+                    const Wrench* wrench, float3 propeller, float propeller_depth, __global const float* memory,
+                    const Motions* past, Motion* motion, Motions* radiation) {
   const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
   const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
@@ -211,12 +348,20 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
   add_drive(shape, water, drive, motion, flow, propeller, propeller_depth, &force, &moment);
   force.y -= shape->mass_kg * water->gravity_mps2;
 
-  motion->velocity += water->step_s * force / (float3)(mass_along, mass_up, mass_along);
-  const float3 spin = motion->spin;
-  const float3 momentum = symmetric_product(shape->inertia_xx, shape->inertia_yy, shape->inertia_zz, shape->inertia_xy,
-                                            shape->inertia_xz, shape->inertia_yz, spin);
-  const float3 rest = turned_back(motion->turn, moment) - cross(spin, momentum);
-  motion->spin += water->step_s * inverse_inertia_times(shape, rest);
+  if (shape->memory_samples > 0) {
+    Motions next;
+    *radiation = move_by_memory(shape, water, memory, past, displaced_by(water, wrench), force, moment, motion, &next);
+    motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, about_of(&next));
+    const float4 turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
+    motion->velocity = turned(turn, along_of(&next));
+  } else {
+    motion->velocity += water->step_s * force / (float3)(mass_along, mass_up, mass_along);
+    const float3 spin = motion->spin;
+    const float3 momentum = symmetric_product(shape->inertia_xx, shape->inertia_yy, shape->inertia_zz,
+                                              shape->inertia_xy, shape->inertia_xz, shape->inertia_yz, spin);
+    const float3 rest = turned_back(motion->turn, moment) - cross(spin, momentum);
+    motion->spin += water->step_s * inverse_inertia_times(shape, rest);
+  }
   motion->velocity = no_longer_than(BODY_LARGEST_SPEED_MPS, motion->velocity);
   motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, motion->spin);
   motion->place += water->step_s * motion->velocity;
@@ -246,7 +391,8 @@ static void write_state(const BodyState* origin, const Motion* motion, float dis
   *written = state;
 }
 
-static void write_report(const BodyWater* water, const Wrench* sum, __global BodyReport* written) {
+static void write_report(const BodyWater* water, const Wrench* sum, float3 radiation, float3 radiation_moment,
+                         __global BodyReport* written) {
   const BodyReport report = {sum->pressure.x,
                              sum->pressure.y,
                              sum->pressure.z,
@@ -260,7 +406,13 @@ static void write_report(const BodyWater* water, const Wrench* sum, __global Bod
                              sum->drag_moment.y,
                              sum->drag_moment.z,
                              displaced_by(water, sum),
-                             sum->wetted};
+                             sum->wetted,
+                             radiation.x,
+                             radiation.y,
+                             radiation.z,
+                             radiation_moment.x,
+                             radiation_moment.y,
+                             radiation_moment.z};
   *written = report;
 }
 
@@ -268,9 +420,11 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     __global const BodyShape* restrict shapes, __global const BodyDrive* restrict drives,
     __global const BodyState* restrict states, __global const float* restrict vertices,
     __global const uint* restrict faces, __global const SurfaceQueryPoint* restrict points,
-    __global const SurfaceQuerySample* restrict samples, const BodyWater water, __global BodyState* restrict path,
+    __global const SurfaceQuerySample* restrict samples, __global const float* restrict memory,
+    const BodyWater water, __global float* restrict velocities, __global BodyState* restrict path,
     __global BodyState* restrict ends, __global BodyReport* restrict reports) {
   __local Wrench sums[GROUP];
+  __local Motions pasts[GROUP];
   __local Motion now;
   const int lane = get_local_id(0);
   const size_t body = get_group_id(0), bodies = get_num_groups(0);
@@ -285,6 +439,18 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
   for (int step = 0; step < water.steps; ++step) {
     barrier(CLK_LOCAL_MEM_FENCE);
     Motion motion = now;
+    pasts[lane] = motions_of((float3)(0.0f), (float3)(0.0f));
+    if (shape.memory_samples > 0) {
+      const int all_steps = water.first_step + step, sample = all_steps / shape.steps_a_sample % shape.memory_samples;
+      const int steps_since = all_steps % shape.steps_a_sample;
+      if (lane == 0 && steps_since == 0) {
+        vstore3(turned_back(motion.turn, motion.velocity), 2 * (size_t)sample, velocities + shape.first_velocity_float);
+        vstore3(motion.spin, 2 * (size_t)sample + 1, velocities + shape.first_velocity_float);
+      }
+      barrier(CLK_GLOBAL_MEM_FENCE);
+      pasts[lane] = part_of_past(&shape, memory + shape.first_memory_float, velocities + shape.first_velocity_float,
+                                 sample, (float)(steps_since + 1) / (float)shape.steps_a_sample, lane);
+    }
     const float time_s = (float)step * water.step_s;
     const float3 spin = turned(motion.turn, motion.spin);
     const float friction = friction_coefficient(length(motion.velocity) * shape.length_m / water.viscosity_m2ps);
@@ -312,21 +478,27 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
         sums[lane].drag_moment += sums[lane + kept].drag_moment;
         sums[lane].wetted += sums[lane + kept].wetted;
         sums[lane].flow += sums[lane + kept].flow;
+        for (int i = 0; i < BODY_MOTIONS; ++i) pasts[lane].at[i] += pasts[lane + kept].at[i];
       }
     }
     if (lane == 0) {
       const Wrench total = sums[0];
+      const Motions past = pasts[0];
+      Motions radiation = motions_of((float3)(0.0f), (float3)(0.0f));
       const SurfaceQuerySample sample = samples[shape.propeller_vertex];
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
           depth_of(&origin, motion.place, propeller, points[shape.propeller_vertex], &sample, time_s);
       const BodyDrive drive = drives[body * water.steps + step];
-      advance(&shape, &water, &drive, &origin, &total, propeller, depth, &motion);
+      const float4 turn = motion.turn;
+      advance(&shape, &water, &drive, &origin, &total, propeller, depth, memory + shape.first_memory_float, &past,
+              &motion, &radiation);
       now = motion;
       write_state(&origin, &motion, displaced_by(&water, &total), &path[step * bodies + body]);
       if (step == water.steps - 1) {
         write_state(&origin, &motion, displaced_by(&water, &total), &ends[body]);
-        write_report(&water, &total, &reports[body]);
+        write_report(&water, &total, turned(turn, along_of(&radiation)), turned(turn, about_of(&radiation)),
+                     &reports[body]);
       }
     }
   }

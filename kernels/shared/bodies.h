@@ -10,6 +10,9 @@
 #define BODY_LARGEST_SPEED_MPS 1500.0f
 #define BODY_LARGEST_SPIN_RADPS 60.0f
 
+#define BODY_MOTIONS 6  // along x, y, z, then about x, y, z, in body axes
+#define BODY_MATRIX 36
+
 // A body at one time.
 typedef struct {
   int tile_x, tile_z;
@@ -37,6 +40,10 @@ typedef struct {
   float propeller_diameter_m;
   float rudder_x_m, rudder_y_m, rudder_z_m, rudder_area_m2;
   float rudder_lift;    // lift coefficient's rise with the angle, 1/rad
+  // What the waves that it has made do to it: BODY_MATRIX floats of added mass, then as many for each of
+  // memory_samples samples of its velocity, steps_a_sample sub-steps apart, the first one now. No samples: none.
+  int first_memory_float, memory_samples, steps_a_sample;
+  int first_velocity_float;  // of the velocities that it has had
 } BodyShape;
 
 // What drives a body in one sub-step.
@@ -60,6 +67,9 @@ typedef struct {
   float drag_moment_x_nm, drag_moment_y_nm, drag_moment_z_nm;
   float displaced_m3;
   float wetted_m2;
+  // By the waves that it has made; without the water that it accelerates.
+  float radiation_x_n, radiation_y_n, radiation_z_n;
+  float radiation_moment_x_nm, radiation_moment_y_nm, radiation_moment_z_nm;
 } BodyReport;
 
 // The water and the steps.
@@ -69,6 +79,7 @@ typedef struct {
   float viscosity_m2ps;  // kinematic
   float step_s;
   int steps;  // between two questions about the water
+  int first_step;  // of these, since the start
 } BodyWater;
 
 // A hull on a wake window (shared/wake.h), for bodies/hull_press.cl. Places in the hull's map are counted in its columns
@@ -88,10 +99,10 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
 static_assert(sizeof(BodyState) == 64, "no padding");
-static_assert(sizeof(BodyShape) == 112, "no padding");
+static_assert(sizeof(BodyShape) == 128, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
-static_assert(sizeof(BodyReport) == 56, "no padding");
-static_assert(sizeof(BodyWater) == 20, "no padding");
+static_assert(sizeof(BodyReport) == 80, "no padding");
+static_assert(sizeof(BodyWater) == 24, "no padding");
 #endif
 
 #endif

@@ -23,10 +23,10 @@ TEST(BodyLayoutTest, BodyState) {
 
 TEST(BodyLayoutTest, BodyShape) {
   using S = BodyShape;
-  EXPECT_EQ(
-      on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping", "rudder_lift"}),
-      (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
-              offsetof(S, wave_damping), offsetof(S, rudder_lift)}));
+  EXPECT_EQ(on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping",
+                                    "rudder_lift", "first_velocity_float"}),
+            (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
+                    offsetof(S, wave_damping), offsetof(S, rudder_lift), offsetof(S, first_velocity_float)}));
 }
 
 TEST(BodyLayoutTest, BodyDrive) {
@@ -38,14 +38,16 @@ TEST(BodyLayoutTest, BodyDrive) {
 
 TEST(BodyLayoutTest, BodyReport) {
   using S = BodyReport;
-  EXPECT_EQ(on_device("BodyReport", {"pressure_x_n", "drag_x_n", "wetted_m2"}),
-            (Layout{sizeof(S), offsetof(S, pressure_x_n), offsetof(S, drag_x_n), offsetof(S, wetted_m2)}));
+  EXPECT_EQ(on_device("BodyReport", {"pressure_x_n", "drag_x_n", "wetted_m2", "radiation_x_n"}),
+            (Layout{sizeof(S), offsetof(S, pressure_x_n), offsetof(S, drag_x_n), offsetof(S, wetted_m2),
+                    offsetof(S, radiation_x_n)}));
 }
 
 TEST(BodyLayoutTest, BodyWater) {
   using S = BodyWater;
-  EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps"}),
-            (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps)}));
+  EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps", "first_step"}),
+            (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps),
+                    offsetof(S, first_step)}));
 }
 
 TEST(BodyLayoutTest, HullPress) {
