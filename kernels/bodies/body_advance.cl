@@ -209,9 +209,10 @@ typedef struct {
   float at[BODY_MOTIONS];
 } Motions;
 
-static Motions motions_of(float3 along, float3 about) {
-  const Motions made = {{along.x, along.y, along.z, about.x, about.y, about.z}};
-  return made;
+// Results by pointer: Oclgrind does not run structs that are returned.
+static void set_motions(float3 along, float3 about, Motions* made) {
+  vstore3(along, 0, made->at);
+  vstore3(about, 1, made->at);
 }
 
 static float3 along_of(const Motions* motions) {
@@ -222,13 +223,11 @@ static float3 about_of(const Motions* motions) {
   return (float3)(motions->at[3], motions->at[4], motions->at[5]);
 }
 
-static Motions product(const Matrix* matrix, const Motions* motions) {
-  Motions made;
+static void set_product(const Matrix* matrix, const Motions* motions, Motions* made) {
   for (int i = 0; i < BODY_MOTIONS; ++i) {
-    made.at[i] = 0.0f;
-    for (int j = 0; j < BODY_MOTIONS; ++j) made.at[i] += matrix->at[BODY_MOTIONS * i + j] * motions->at[j];
+    made->at[i] = 0.0f;
+    for (int j = 0; j < BODY_MOTIONS; ++j) made->at[i] += matrix->at[BODY_MOTIONS * i + j] * motions->at[j];
   }
-  return made;
 }
 
 // Adds -S(v), the matrix of u -> u x v, in rows and columns from these on.
@@ -243,33 +242,33 @@ static void add_cross(float3 v, float scale, int row, int column, Matrix* matrix
 }
 
 // Elimination without exchange: the symmetric part is positive definite.
-static Motions solved(Matrix matrix, Motions right) {
+static void solve(Matrix* matrix, Motions* right) {
   for (int pivot = 0; pivot < BODY_MOTIONS; ++pivot) {
     for (int row = pivot + 1; row < BODY_MOTIONS; ++row) {
-      const float times = matrix.at[BODY_MOTIONS * row + pivot] / matrix.at[(BODY_MOTIONS + 1) * pivot];
+      const float times = matrix->at[BODY_MOTIONS * row + pivot] / matrix->at[(BODY_MOTIONS + 1) * pivot];
       for (int column = pivot; column < BODY_MOTIONS; ++column) {
-        matrix.at[BODY_MOTIONS * row + column] -= times * matrix.at[BODY_MOTIONS * pivot + column];
+        matrix->at[BODY_MOTIONS * row + column] -= times * matrix->at[BODY_MOTIONS * pivot + column];
       }
-      right.at[row] -= times * right.at[pivot];
+      right->at[row] -= times * right->at[pivot];
     }
   }
   for (int row = BODY_MOTIONS - 1; row >= 0; --row) {
     for (int column = row + 1; column < BODY_MOTIONS; ++column) {
-      right.at[row] -= matrix.at[BODY_MOTIONS * row + column] * right.at[column];
+      right->at[row] -= matrix->at[BODY_MOTIONS * row + column] * right->at[column];
     }
-    right.at[row] /= matrix.at[(BODY_MOTIONS + 1) * row];
+    right->at[row] /= matrix->at[(BODY_MOTIONS + 1) * row];
   }
-  return right;
 }
 
-// New velocities by Cummins' equation; `force` and `moment` in world axes, `past` what earlier velocities do. Returns
-// what radiation does.
-static Motions move_by_memory(const BodyShape* shape, const BodyWater* water, __global const float* memory,
-                              const Motions* past, float displaced, float3 force, float3 moment, Motion* motion,
-                              Motions* next) {
+// New velocities by Cummins' equation; `force` and `moment` in world axes, `past` what earlier velocities do. Sets
+// `radiation`, what radiation does.
+static void move_by_memory(const BodyShape* shape, const BodyWater* water, __global const float* memory,
+                           const Motions* past, float displaced, float3 force, float3 moment, Motion* motion,
+                           Motions* next, Motions* radiation) {
   const float share = clamp(2.0f * water->density_kgpm3 * displaced / shape->mass_kg, 0.0f, 1.0f);
   const float step = water->step_s;
-  const Motions before = motions_of(turned_back(motion->turn, motion->velocity), motion->spin);
+  Motions before, momentum, push;
+  set_motions(turned_back(motion->turn, motion->velocity), motion->spin, &before);
   Matrix mass;
   for (int i = 0; i < BODY_MATRIX; ++i) mass.at[i] = share * memory[i];
   mass.at[0] += shape->mass_kg;
@@ -284,7 +283,7 @@ static Motions move_by_memory(const BodyShape* shape, const BodyWater* water, __
   mass.at[33] += shape->inertia_xz;
   mass.at[29] += shape->inertia_yz;
   mass.at[34] += shape->inertia_yz;
-  const Motions momentum = product(&mass, &before);
+  set_product(&mass, &before, &momentum);
   // C v = (spin x p, v x p + spin x q): skew, so that C does no work.
   Matrix left = mass;
   Matrix right = mass;
@@ -296,26 +295,24 @@ static Motions move_by_memory(const BodyShape* shape, const BodyWater* water, __
   add_cross(along_of(&momentum), -half_step, 3, 0, &right);
   add_cross(about_of(&momentum), -half_step, 3, 3, &right);
   for (int i = 0; i < BODY_MATRIX; ++i) left.at[i] += share * step * memory[BODY_MATRIX + i];
-  const Motions push = motions_of(turned_back(motion->turn, force), turned_back(motion->turn, moment));
-  Motions sum = product(&right, &before);
-  for (int i = 0; i < BODY_MOTIONS; ++i) sum.at[i] += step * (push.at[i] + share * past->at[i]);
-  *next = solved(left, sum);
-  Motions radiation;
+  set_motions(turned_back(motion->turn, force), turned_back(motion->turn, moment), &push);
+  set_product(&right, &before, next);
+  for (int i = 0; i < BODY_MOTIONS; ++i) next->at[i] += step * (push.at[i] + share * past->at[i]);
+  solve(&left, next);
   for (int i = 0; i < BODY_MOTIONS; ++i) {
-    radiation.at[i] = past->at[i];
+    radiation->at[i] = past->at[i];
     for (int j = 0; j < BODY_MOTIONS; ++j) {
-      radiation.at[i] -= memory[BODY_MATRIX + BODY_MOTIONS * i + j] * next->at[j];
+      radiation->at[i] -= memory[BODY_MATRIX + BODY_MOTIONS * i + j] * next->at[j];
     }
-    radiation.at[i] *= share;
+    radiation->at[i] *= share;
   }
-  return radiation;
 }
 
 // What velocities before this sub-step do, by samples lane, lane + GROUP, ...: between the sample `now` and the next
 // one, which needs no velocity that is still to come, in proportion.
-static Motions part_of_past(const BodyShape* shape, __global const float* memory, __global const float* velocities,
-                            int sample, float share, int lane) {
-  Motions sum = motions_of((float3)(0.0f), (float3)(0.0f));
+static void set_part_of_past(const BodyShape* shape, __global const float* memory, __global const float* velocities,
+                            int sample, float share, int lane,
+                             Motions* sum) {
   for (int n = lane + 1; n < shape->memory_samples; n += GROUP) {
     const int later = (sample + 1 - n + shape->memory_samples) % shape->memory_samples;
     const int earlier = (sample - n + shape->memory_samples) % shape->memory_samples;
@@ -325,10 +322,9 @@ static Motions part_of_past(const BodyShape* shape, __global const float* memory
     }
     __global const float* kept = memory + BODY_MATRIX * (n + 1);
     for (int i = 0; i < BODY_MOTIONS; ++i) {
-      for (int j = 0; j < BODY_MOTIONS; ++j) sum.at[i] -= kept[BODY_MOTIONS * i + j] * velocity[j];
+      for (int j = 0; j < BODY_MOTIONS; ++j) sum->at[i] -= kept[BODY_MOTIONS * i + j] * velocity[j];
     }
   }
-  return sum;
 }
 
 static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
@@ -350,7 +346,7 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
 
   if (shape->memory_samples > 0) {
     Motions next;
-    *radiation = move_by_memory(shape, water, memory, past, displaced_by(water, wrench), force, moment, motion, &next);
+    move_by_memory(shape, water, memory, past, displaced_by(water, wrench), force, moment, motion, &next, radiation);
     motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, about_of(&next));
     const float4 turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
     motion->velocity = turned(turn, along_of(&next));
@@ -439,7 +435,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
   for (int step = 0; step < water.steps; ++step) {
     barrier(CLK_LOCAL_MEM_FENCE);
     Motion motion = now;
-    pasts[lane] = motions_of((float3)(0.0f), (float3)(0.0f));
+    Motions past_part;
+    set_motions((float3)(0.0f), (float3)(0.0f), &past_part);
     if (shape.memory_samples > 0) {
       const int all_steps = water.first_step + step, sample = all_steps / shape.steps_a_sample % shape.memory_samples;
       const int steps_since = all_steps % shape.steps_a_sample;
@@ -448,9 +445,10 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
         vstore3(motion.spin, 2 * (size_t)sample + 1, velocities + shape.first_velocity_float);
       }
       barrier(CLK_GLOBAL_MEM_FENCE);
-      pasts[lane] = part_of_past(&shape, memory + shape.first_memory_float, velocities + shape.first_velocity_float,
-                                 sample, (float)(steps_since + 1) / (float)shape.steps_a_sample, lane);
+      set_part_of_past(&shape, memory + shape.first_memory_float, velocities + shape.first_velocity_float,
+                                 sample, (float)(steps_since + 1) / (float)shape.steps_a_sample, lane, &past_part);
     }
+    pasts[lane] = past_part;
     const float time_s = (float)step * water.step_s;
     const float3 spin = turned(motion.turn, motion.spin);
     const float friction = friction_coefficient(length(motion.velocity) * shape.length_m / water.viscosity_m2ps);
@@ -484,7 +482,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     if (lane == 0) {
       const Wrench total = sums[0];
       const Motions past = pasts[0];
-      Motions radiation = motions_of((float3)(0.0f), (float3)(0.0f));
+      Motions radiation;
+      set_motions((float3)(0.0f), (float3)(0.0f), &radiation);
       const SurfaceQuerySample sample = samples[shape.propeller_vertex];
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
