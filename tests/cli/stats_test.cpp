@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -115,13 +116,13 @@ void expect_height_and_period(const AskedSea& sea, const std::string& size) {
   const bool is_deep = sea.depth_m == 0.0;
   std::vector<std::string> arguments = {"ocean",      "stats",
                                         "--spectrum", is_deep ? "jonswap" : "tma",
-                                        "--hs-m",     std::to_string(sea.hs_m),
-                                        "--tp-s",     std::to_string(sea.tp_s),
-                                        "--gamma",    std::to_string(sea.gamma),
+                                        "--hs-m",     fmt::format("{}", sea.hs_m),
+                                        "--tp-s",     fmt::format("{}", sea.tp_s),
+                                        "--gamma",    fmt::format("{}", sea.gamma),
                                         "--size",     size,
                                         "--seeds",    "8",
                                         "--json",     "--quiet"};
-  if (!is_deep) arguments.insert(arguments.end(), {"--depth-m", std::to_string(sea.depth_m)});
+  if (!is_deep) arguments.insert(arguments.end(), {"--depth-m", fmt::format("{}", sea.depth_m)});
   const json stats = parsed(arguments);
   SCOPED_TRACE(testing::Message() << "Hs " << sea.hs_m << " Tp " << sea.tp_s << " gamma " << sea.gamma
                                   << " depth " << sea.depth_m);

@@ -37,8 +37,9 @@ class TransformSizesTest : public testing::TestWithParam<Case> {
   double error_of(const ModeTransform::Request& request) {
     const auto [family, size] = GetParam();
     const int columns = std::max(size / 2, MODE_BLOCK_COLUMNS);
-    ModeTransform transform(device_, {.size = size, .columns = columns, .cascade_count = 1}, request, family);
-    const double error = request.self_test(device_, transform, size);
+    const ModeTransform::Grid grid{.size = size, .columns = columns, .cascade_count = 1};
+    ModeTransform transform(device_, grid, request, family);
+    const double error = request.self_test(device_, transform, grid, request);
     RecordProperty(std::string(request.second_kernel), std::to_string(error * 1e9) + "e-9");
     return error;
   }
