@@ -1,13 +1,13 @@
 // Conductances of the coarser levels of each cloud, for light_diffuse.cl.
-// In:    grids.
-// Inout: faces [clouds][channels][4][LEVEL_CELLS], of the finest level as light_source.cl left them; what leaves a cell
+// In:    grids; the first cloud.
+// Inout: faces [clouds][channels][4][LEVEL_CELLS], of the finest level as light_faces.cl left them; what leaves a cell
 //        becomes the inverse of what all its ways take together.
-// One work-group of GROUP_SIZE a channel (dimension 0) and cloud (1).
+// One work-group of GROUP_SIZE a channel (dimension 0) and cloud from the first on (1).
 #include "clouds/light_levels.clh"
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_coarsen(
-    __global const CloudGrid *restrict grids, __global float *restrict faces) {
-  const CloudGrid grid = grids[get_group_id(1)];
+    __global const CloudGrid *restrict grids, int first_cloud, __global float *restrict faces) {
+  const CloudGrid grid = grids[first_cloud + get_group_id(1)];
   faces += (get_group_id(1) * get_num_groups(0) + get_group_id(0)) * 4 * LEVEL_CELLS;
   for (Level fine = finest_level(grid); !is_coarsest(fine); fine = coarser(fine)) {
     const Level level = coarser(fine);

@@ -1,9 +1,9 @@
 // Solves the diffusion of light in each cloud (clouds/diffusion.clh) by multigrid: CYCLES V-cycles, sweeps over every
 // other row, residuals averaged over eight cells, corrections interpolated. The first cycle's way down finds nothing yet.
-// In:    grids, faces [clouds][channels][4][LEVEL_CELLS] of light_coarsen.cl.
-// Inout: sources [clouds][3][LEVEL_CELLS], of the finest level as light_source.cl left them.
+// In:    grids, the first cloud, faces [clouds][channels][4][LEVEL_CELLS] of light_coarsen.cl.
+// Inout: sources [clouds][3][LEVEL_CELLS], of the finest level as light_gather.cl left them.
 // Out:   fluence [clouds][3][LEVEL_CELLS]; zeros before the first level and beyond the last.
-// One work-group of GROUP_SIZE a colour (dimension 0) and cloud (1).
+// One work-group of GROUP_SIZE a colour (dimension 0) and cloud from the first on (1).
 #include "clouds/light_levels.clh"
 
 #define CYCLES 3
@@ -158,10 +158,10 @@ static inline void interpolate(__global float *fluence, const Level level, bool 
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_diffuse(
-    __global const CloudGrid *restrict grids, __global const float *restrict faces, int channels,
+    __global const CloudGrid *restrict grids, __global const float *restrict faces, int first_cloud, int channels,
     __global float *restrict sources, __global float *restrict fluence) {
   const size_t cloud = get_group_id(1), colour = get_group_id(0);
-  const CloudGrid grid = grids[cloud];
+  const CloudGrid grid = grids[first_cloud + cloud];
   faces += (cloud * channels + (channels == 1 ? 0 : colour)) * 4 * LEVEL_CELLS;
   sources += (cloud * 3 + colour) * LEVEL_CELLS;
   fluence += (cloud * 3 + colour) * LEVEL_CELLS;

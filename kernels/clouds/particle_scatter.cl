@@ -10,7 +10,7 @@
 #include "clouds/phase.clh"
 
 // Where a particle of depth t shows from: FRONT_RADII t / (t + FRONT_DEPTH) radii before its middle.
-#define FRONT_RADII 1.4f
+#define FRONT_RADII 1.3f
 #define FRONT_DEPTH 3.0f
 
 // Steps behind and before a particle.

@@ -18,10 +18,10 @@
 namespace offing::clouds {
 namespace {
 
-// EMPTY_DEPTH 1.7, how far light leans (LEAN_LOST 1.5) and where a dense particle shows from
-// (FRONT_RADII 1.4, FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes,
-// whose light is within 15 % then (tests/clouds/light_accuracy_test.cpp), and to slabs
-// (particle_light_test.cpp).
+// EMPTY_DEPTH 1.7, the depths between which sweeps give way to
+// diffusion (THIN_DEPTH 1.5, THICK_DEPTH 5) and where a dense particle shows from (FRONT_RADII 1.3,
+// FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes
+// (tests/clouds/light_accuracy_test.cpp), and to slabs (particle_light_test.cpp).
 
 // Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
 constexpr int cells = 16384;
@@ -30,6 +30,12 @@ constexpr std::size_t plane_cells = cells / CLOUD_LEAST_CELLS;
 // read beyond.
 constexpr std::size_t level_cells = plane_cells + cells / 3 * 4 + 1024;
 constexpr std::size_t medium_cells = cells + 2 * plane_cells;
+// Of the light that is carried along directions (kernels/clouds/diffusion.clh).
+constexpr std::size_t directions = 8, floats4_of_moments = 4;
+// Sweeps along the directions, each with diffusion after it.
+constexpr int sweeps = 2;
+// Clouds whose light is worked out together: what only that takes is kept for so many.
+constexpr std::size_t most_at_once = 16;
 constexpr std::size_t entry_texels = CLOUD_ENTRY_SIZE * CLOUD_ENTRY_SIZE;
 constexpr std::size_t recurrence_texels = CLOUD_HARRIS_SIZE * CLOUD_HARRIS_SIZE;
 
@@ -87,6 +93,9 @@ ParticleLight::ParticleLight(const ocl::Device& device)
       beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", group_tuning_)),
       source_kernel_(built(device, "clouds/light_source.cl", "light_source", cell_tuning_)),
       coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", group_tuning_)),
+      emission_kernel_(built(device, "clouds/light_emission.cl", "light_emission", cell_tuning_)),
+      sweep_kernel_(built(device, "clouds/light_sweep.cl", "light_sweep", group_tuning_)),
+      gather_kernel_(built(device, "clouds/light_gather.cl", "light_gather", cell_tuning_)),
       diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", group_tuning_)),
       glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", cell_tuning_)),
       scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", scatter_tuning_)),
@@ -140,14 +149,15 @@ void ParticleLight::set_looks(std::span<const CloudLook> looks) {
 
 void ParticleLight::reserve(std::size_t clouds) {
   if (clouds > grids_.size()) grids_ = ocl::Buffer<CloudGrid>(device_, clouds, "grids of clouds");
-  const std::size_t channels = clouds * static_cast<std::size_t>(channels_),
-                    beams = channels * static_cast<std::size_t>(suns_);
+  const auto channels_of_cloud = static_cast<std::size_t>(channels_);
+  const std::size_t channels = clouds * channels_of_cloud, beams = channels * static_cast<std::size_t>(suns_),
+                    at_once = std::min(clouds, most_at_once);
   const std::tuple<ocl::Buffer<float>*, std::size_t, const char*> arrays[] = {
       {&medium_, clouds * medium_cells, "extinction in clouds"},
       {&absorption_, channels * medium_cells, "absorption in clouds"},
-      {&faces_, channels * level_cells * 4, "levels of clouds"},
-      {&sources_, clouds * level_cells * 3, "sources of light in clouds"},
-      {&fluence_, clouds * level_cells * 3, "fluence in clouds"},
+      {&faces_, at_once * channels_of_cloud * level_cells * 4, "levels of clouds"},
+      {&sources_, at_once * level_cells * 3, "sources of light in clouds"},
+      {&fluence_, at_once * level_cells * 3, "fluence in clouds"},
       {&beams_, beams * cells + 2 * CLOUD_BEAM_MARGIN, "sunlight in clouds"},
       {&entries_, std::max<std::size_t>(beams, 1) * entry_texels, "sunlight between clouds"}};
   for (const auto& [buffer, size, name] : arrays) {
@@ -155,10 +165,15 @@ void ParticleLight::reserve(std::size_t clouds) {
     *buffer = ocl::Buffer<float>(device_, size, name);
     buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
   }
-  if (clouds * cells > glow_.size())
-    glow_ = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
-  if (channels * cells > drift_.size())
-    drift_ = ocl::Buffer<Float4>(device_, channels * cells, "drift of light in clouds");
+  const std::tuple<ocl::Buffer<Float4>*, std::size_t, const char*> lights[] = {
+      {&glow_, clouds * cells, "scattered light in clouds"},
+      {&drift_, channels * cells, "drift of light in clouds"},
+      {&moments_, at_once * cells * floats4_of_moments, "moments of light in clouds"},
+      {&emission_, at_once * cells * floats4_of_moments, "emission of clouds"},
+      {&radiances_, at_once * cells * directions, "radiances in clouds"}};
+  for (const auto& [buffer, size, name] : lights) {
+    if (size > buffer->size()) *buffer = ocl::Buffer<Float4>(device_, size, name);
+  }
 }
 
 void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
@@ -198,7 +213,6 @@ void ParticleLight::diffuse(std::size_t clouds) {
   const auto groups = [&](std::size_t number) -> ocl::LaunchShape {
     return {{number * group_tuning_.group, clouds}, {group_tuning_.group}};
   };
-  const ocl::LaunchShape each_cell = ocl::launch_shape(cell_tuning_, cells, clouds);
   density_kernel_.launch(ocl::launch_shape(density_tuning_, cells, clouds), *particles_, grids_, looks_,
                          channels_, medium_, absorption_);
   if (suns_ > 0) {
@@ -210,12 +224,34 @@ void ParticleLight::diffuse(std::size_t clouds) {
     beam_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, entries_, number, channels_,
                         beams_);
   }
-  source_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, channels_, faces_,
-                        sources_);
-  coarsen_kernel_.launch(groups(channels), grids_, faces_);
-  diffuse_kernel_.launch(groups(3), grids_, faces_, channels_, sources_, fluence_);
-  glow_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, faces_, fluence_,
-                      channels_, glow_, drift_);
+  for (std::size_t first = 0; first < clouds; first += most_at_once)
+    scatter_often(first, std::min(most_at_once, clouds - first));
+}
+
+void ParticleLight::scatter_often(std::size_t first, std::size_t number) {
+  const auto groups = [&](std::size_t count) -> ocl::LaunchShape {
+    return {{count * group_tuning_.group, number}, {group_tuning_.group}};
+  };
+  const ocl::LaunchShape each_cell = ocl::launch_shape(cell_tuning_, cells, number);
+  const auto first_cloud = static_cast<int>(first);
+  const auto diffuse = [&] {
+    diffuse_kernel_.launch(groups(3), grids_, faces_, first_cloud, channels_, sources_, fluence_);
+  };
+  source_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, first_cloud,
+                        channels_, faces_, sources_);
+  coarsen_kernel_.launch(groups(static_cast<std::size_t>(channels_)), grids_, first_cloud, faces_);
+  diffuse();
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    emission_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, faces_,
+                            fluence_, first_cloud, channels_, static_cast<int>(sweep == 0), moments_,
+                            emission_);
+    sweep_kernel_.launch(groups(directions), grids_, lights_, emission_, first_cloud, channels_, radiances_);
+    gather_kernel_.launch(each_cell, grids_, looks_, medium_, absorption_, radiances_, first_cloud, channels_,
+                          moments_, sources_);
+    diffuse();
+  }
+  glow_kernel_.launch(each_cell, grids_, looks_, medium_, faces_, fluence_, moments_, first_cloud, channels_,
+                      glow_, drift_);
 }
 
 void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::size_t clouds) {

@@ -71,12 +71,14 @@ class ParticleLight {
   void set_looks(std::span<const CloudLook> looks);
   void reserve(std::size_t clouds);
   void diffuse(std::size_t clouds);
+  void scatter_often(std::size_t first, std::size_t number);
   void carry_along(std::span<const CloudIllumination> lights, std::size_t clouds);
 
   ocl::Device device_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, scatter_tuning_;
   ocl::Kernel bounds_kernel_, density_kernel_, entry_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_,
-      diffuse_kernel_, glow_kernel_, scatter_kernel_, recurrence_kernel_, first_order_kernel_;
+      emission_kernel_, sweep_kernel_, gather_kernel_, diffuse_kernel_, glow_kernel_, scatter_kernel_,
+      recurrence_kernel_, first_order_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
   std::vector<CloudLightParams> packed_lights_;  // as lights_ has them
@@ -90,7 +92,7 @@ class ParticleLight {
   ocl::Buffer<CloudScattering> looks_;
   ocl::Buffer<CloudLightParams> lights_;
   ocl::Buffer<float> phases_, entries_, beams_, medium_, absorption_, faces_, sources_, fluence_;
-  ocl::Buffer<Float4> glow_, drift_;
+  ocl::Buffer<Float4> glow_, drift_, moments_, emission_, radiances_;
 };
 
 }  // namespace offing::clouds

@@ -154,7 +154,7 @@ class CloudyWaterTest : public test::StillSea {
   }
   static std::string cloud() {
     return "[clouds]\nshadows = \"off\"\n[[cloud]]\ngenus = \"cumulus\"\nmodelling = \"sampled\"\n"
-           "target_particles = 300\nextinction_per_m = 1\ny_m = 600\n[[cloud.ball]]\nradius_m = 300\n";
+           "target_particles = 300\nextinction_per_m = 0.1\ny_m = 600\n[[cloud.ball]]\nradius_m = 300\n";
   }
   static Camera looking(double height_m, double pitch_rad) {
     Camera camera = square_camera({0.0, height_m, 0.0});

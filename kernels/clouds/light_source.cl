@@ -1,7 +1,8 @@
 // Where scattered light arises in the clouds' grids, for light_diffuse.cl: from the suns' beams, and through the box's
 // sides from sky and ground.
-// In:  grids, looks, lights, medium, absorption, beams. Global size: items that share the cells, clouds.
-// Out: of the finest level of each cloud, faces [clouds][channels][4][LEVEL_CELLS] and sources [clouds][3][LEVEL_CELLS].
+// In:  grids, looks, lights, medium, absorption, beams; the first cloud. Global size: items that share the cells, clouds
+//      from it on.
+// Out: of the finest level of each of these clouds, faces [clouds][channels][4][LEVEL_CELLS] and sources [clouds][3][LEVEL_CELLS].
 #include "clouds/diffusion.clh"
 #include "simd/lane_exponents.clh"
 
@@ -61,20 +62,21 @@ static inline lanes conductances(float cell, lanes here, lanes next) {
 __kernel void light_source(__global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
                            __global const CloudLightParams *restrict lights, __global const float *restrict medium,
                            __global const float *restrict absorption, __global const float *restrict beams,
-                           int channels, __global float *restrict faces, __global float *restrict sources) {
-  const size_t cloud = get_global_id(1);
+                           int first_cloud, int channels, __global float *restrict faces,
+                           __global float *restrict sources) {
+  const size_t number = get_global_id(1), cloud = first_cloud + number;
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
   const CloudLightParams light = lights[cloud];
   beams += CLOUD_BEAM_MARGIN + cloud * light.sun_count * channels * CELLS;
-  faces += cloud * channels * 4 * LEVEL_CELLS;
-  sources += cloud * 3 * LEVEL_CELLS;
+  faces += number * channels * 4 * LEVEL_CELLS;
+  sources += number * 3 * LEVEL_CELLS;
   const Level level = finest_level(grid);
   const int last_y = grid.size_y - 1, last_z = grid.size_z - 1, row = grid.size_x, plane = grid.size_x * grid.size_y;
   const float last_x = (float)(grid.size_x - 1);
-  for (int number = (int)get_global_id(0); number < channels * level_pieces(level); number += (int)get_global_size(0)) {
-    const int channel = number % channels;
-    const Piece piece = piece_of(level, number / channels);
+  for (int i = (int)get_global_id(0); i < channels * level_pieces(level); i += (int)get_global_size(0)) {
+    const int channel = i % channels;
+    const Piece piece = piece_of(level, i / channels);
     const int at = piece.at - FIRST_LEVEL;
     const Medium of_channel = {medium + cloud * MEDIUM_CELLS + FIRST_LEVEL,
                                absorption + (cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL,
