@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <queue>
 
 #include <fmt/format.h>
@@ -12,8 +13,6 @@
 
 #include "host/base/error.h"
 #include "host/bodies/hull.h"
-#include "host/bodies/hull_map.h"
-#include "host/bodies/pressed_hull.h"
 
 namespace offing::bodies {
 namespace {
@@ -84,12 +83,70 @@ double volume_of(const std::vector<Triangle>& triangles) {
   return volume;
 }
 
+/// The area of the water plane above these faces.
+double plane_of(const std::vector<Triangle>& triangles) {
+  double area = 0.0;
+  for (const Triangle& t : triangles) area -= 0.5 * twice_area(t).y;
+  return area;
+}
+
 std::size_t longest_edge(const Triangle& t) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     if (glm::distance(t[i], t[(i + 1) % 3]) > glm::distance(t[longest], t[(longest + 1) % 3])) longest = i;
   }
   return longest;
+}
+
+/// Vertices of a cell become the one of them next to their mean, those on the water line and on the plane of
+/// symmetry apart, so that these stay (after Rossignac & Borrel 1993). The cells fit a hull of these sides:
+/// `along` of them along a side as long as the geometric mean.
+std::vector<Triangle> clustered(const std::vector<Triangle>& triangles, const glm::dvec3& span_m, int along) {
+  struct Cluster {
+    glm::dvec3 sum{0.0};
+    double count = 0.0;
+    glm::dvec3 kept{0.0};
+    double off_m = 1e300;
+  };
+  // Between cells that are cubes and cells in proportion to the hull.
+  const double mean_m = std::cbrt(span_m.x * span_m.y * span_m.z);
+  const glm::dvec3 cell_m = glm::sqrt(span_m * mean_m) / static_cast<double>(along);
+  const auto key = [&](const glm::dvec3& place) {
+    const glm::dvec3 at = glm::floor(place / cell_m + 0.25);
+    return std::array<int, 5>{static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z),
+                              place.y == 0.0 ? 1 : 0, place.z == 0.0 ? 1 : 0};
+  };
+  std::map<std::array<int, 5>, Cluster> clusters;
+  for (const Triangle& t : triangles) {
+    for (const glm::dvec3& place : t) {
+      Cluster& cluster = clusters[key(place)];
+      cluster.sum += place;
+      cluster.count += 1.0;
+    }
+  }
+  for (const Triangle& t : triangles) {
+    for (const glm::dvec3& place : t) {
+      Cluster& cluster = clusters[key(place)];
+      const double off_m = glm::distance(place, cluster.sum / cluster.count);
+      if (off_m < cluster.off_m) {
+        cluster.off_m = off_m;
+        cluster.kept = place;
+      }
+    }
+  }
+  std::vector<Triangle> result;
+  for (const Triangle& t : triangles) {
+    const std::array<std::array<int, 5>, 3> keys{key(t[0]), key(t[1]), key(t[2])};
+    if (keys[0] == keys[1] || keys[1] == keys[2] || keys[2] == keys[0]) continue;
+    const Triangle kept{clusters[keys[0]].kept, clusters[keys[1]].kept, clusters[keys[2]].kept};
+    const bool is_on_water = kept[0].y == 0.0 && kept[1].y == 0.0 && kept[2].y == 0.0;
+    const bool is_on_middle = kept[0].z == 0.0 && kept[1].z == 0.0 && kept[2].z == 0.0;
+    const double longest = std::max(
+        {glm::distance(kept[0], kept[1]), glm::distance(kept[1], kept[2]), glm::distance(kept[2], kept[0])});
+    if (!is_on_water && !is_on_middle && glm::length(twice_area(kept)) > 1e-6 * longest * longest)
+      result.push_back(kept);
+  }
+  return result;
 }
 
 /// Halves triangles across their longest edges, those of the longest edge first.
@@ -205,23 +262,16 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_
         "give it a draught above 0");
   }
   if (triangles.size() > count) {
-    // First to a mesh that is quick to cluster, and closed above; then in axes that make it more of a cube,
-    // as clusters are: a slender hull keeps its sections.
-    TriangleMesh whole = pressed_hull(mesh, map_of_hull(mesh), std::max<std::size_t>(16 * most_panels, 500));
-    const glm::dvec3 stretch = 1.0 / glm::sqrt(extent.high_m - extent.low_m);
-    for (glm::dvec3& place_m : whole.positions_m) place_m *= stretch;
-    const HullMap map = map_of_hull(whole);
-    // Clustering keeps about the share of faces below the water. A fifth is left for halving the largest.
-    std::size_t faces = 4 * mesh.faces.size() * count / (5 * triangles.size());
-    while (5 * triangles.size() > 4 * count && faces > 20) {
-      TriangleMesh coarse = pressed_hull(whole, map, faces);
-      for (glm::dvec3& place_m : coarse.positions_m) place_m /= stretch;
-      triangles = wetted(coarse, hull.origin_m, hull.is_mirrored);
-      faces = faces * 19 / 20;
-    }
-    const double breadth = std::sqrt(volume_m3 / volume_of(triangles));
+    const std::vector<Triangle> whole = triangles;
+    const glm::dvec3 span = extent.high_m - extent.low_m;
+    for (int cells = 64; cells > 3 && triangles.size() > count; --cells)
+      triangles = clustered(whole, span, cells);
+    // The water plane and the volume of the finer hull: they bear it up in long waves.
+    const double plane_m2 = plane_of(triangles), planes = plane_m2 > 0.0 ? plane_of(whole) / plane_m2 : 1.0;
+    const double volumes = volume_m3 / volume_of(triangles);
     for (Triangle& triangle : triangles) {
-      for (glm::dvec3& corner : triangle) corner *= glm::dvec3(breadth, 1.0, breadth);
+      for (glm::dvec3& corner : triangle)
+        corner *= glm::dvec3(std::sqrt(planes), volumes / planes, std::sqrt(planes));
     }
   }
   triangles = halved(triangles, count);
