@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -105,6 +106,44 @@ WakeHullShape device_hull(const WakeHull& hull, const WakeGrid& grid, double cel
           .shape = hull.shape == WakeHull::Shape::gaussian ? WAKE_SHAPE_GAUSSIAN : WAKE_SHAPE_ELLIPSOID};
 }
 
+/// The cells of a window that a hull may reach: as many columns and rows from the first ones on.
+struct HullCells {
+  int first_column, first_row, columns, rows;
+};
+
+HullCells cells_of(const WakeHullShape& hull, const WakeGrid& grid) {
+  const float reach = hull.shape == WAKE_SHAPE_GAUSSIAN ? WAKE_GAUSSIAN_REACH : 1.0f;
+  const float length_m = reach * hull.half_length_m, beam_m = reach * hull.half_beam_m;
+  const float cosine = std::abs(hull.cosine), sine = std::abs(hull.sine);
+  const auto along = [&](float middle_m, float half_m, int& first, int& count) {
+    // A cell counts what is up to a cell away.
+    const double low = (static_cast<double>(middle_m) - half_m) / grid.cell_m - 1.0,
+                 high = (static_cast<double>(middle_m) + half_m) / grid.cell_m + 1.0;
+    first = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(grid.size)));
+    count = static_cast<int>(std::clamp(std::floor(high), -1.0, grid.size - 1.0)) + 1 - first;
+  };
+  HullCells cells{};
+  along(hull.x_m, cosine * length_m + sine * beam_m, cells.first_column, cells.columns);
+  along(hull.z_m, sine * length_m + cosine * beam_m, cells.first_row, cells.rows);
+  return cells;
+}
+
+/// Samples along a side of the square of a cell: fewer for a hull of many cells.
+int samples_of(const WakeHullShape& hull, const WakeGrid& grid) {
+  const float cells = std::min(hull.half_length_m, hull.half_beam_m) / grid.cell_m;
+  return cells < 8.0f ? 6 : (cells < 32.0f ? 4 : 2);
+}
+
+bool are_same(const WakeGrid& a, const WakeGrid& b) {
+  return a.size == b.size && a.first_column == b.first_column && a.first_row == b.first_row &&
+         a.cell_m == b.cell_m;
+}
+
+bool are_same(const std::vector<WakeHullShape>& a, const std::vector<WakeHullShape>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(WakeHullShape)) == 0);
+}
+
 /// The border of the window, an eighth of its side wide, in which waves die away: those that leave neither
 /// come back nor enter again at the other side, although the window is periodic.
 ///
@@ -178,6 +217,7 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   };
   scroll_ = kernel("ocean/wakes/wake_scroll.cl", "wake_scroll");
   rain_ = kernel("ocean/wakes/wake_rain.cl", "wake_rain");
+  hollows_ = kernel("ocean/wakes/wake_hollows.cl", "wake_hollows");
   displace_ = kernel("ocean/wakes/wake_displace.cl", "wake_displace");
   map_ = kernel("ocean/wakes/wake_map.cl", "wake_map");
   const WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
@@ -188,7 +228,6 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   displaced_ = ocl::Buffer<float>(device, texels(), "displaced depth");
   fields_ = ocl::Buffer<float>(device, 4 * texels(), "wake fields");
   drops_ = ocl::Buffer<float>(device, 2 * texels() / (WAKE_RAIN_SQUARE * WAKE_RAIN_SQUARE), "wake rain");
-  hulls_buffer_ = ocl::Buffer<WakeHullShape>(device, 1, "wake hulls");
   if (parameters_.method == WakeMethod::verlet) {
     verlet_ = kernel("ocean/wakes/wake_verlet.cl", "wake_verlet");
     differences_ = kernel("ocean/wakes/wake_differences.cl", "wake_differences");
@@ -256,21 +295,30 @@ void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const Ad
   }
 }
 
-void WakeWindow::upload_hulls(const std::vector<WakeHull>& hulls) {
+void WakeWindow::displace(const std::vector<WakeHull>& hulls) {
   require_within("wake hull count", static_cast<double>(hulls.size()), 0.0, most_hulls);
-  hulls_.clear();
+  std::vector<WakeHullShape> shapes;
   for (const WakeHull& hull : hulls) {
     require_valid_hull(hull);
-    hulls_.push_back(device_hull(hull, grid_, parameters_.cell_m()));
+    shapes.push_back(device_hull(hull, grid_, parameters_.cell_m()));
   }
-  if (hulls_buffer_.size() < hulls_.size()) {
-    hulls_buffer_ = ocl::Buffer<WakeHullShape>(device_, hulls_.size(), "wake hulls");
+  if (displaced_by_ && are_same(displaced_by_->hulls, shapes) && are_same(displaced_by_->grid, grid_)) return;
+  if (drop_m_ == 0.0f) {
+    displaced_.fill(0.0f);
+  } else {
+    rain();
   }
-  if (!hulls_.empty()) hulls_buffer_.write(hulls_);
+  for (const WakeHullShape& hull : shapes) {
+    const HullCells cells = cells_of(hull, grid_);
+    if (cells.columns <= 0 || cells.rows <= 0) continue;
+    displace_.launch({{static_cast<std::size_t>(cells.columns), static_cast<std::size_t>(cells.rows), 1}},
+                     grid_, hull, cells.first_column, cells.first_row, samples_of(hull, grid_), displaced_);
+  }
+  displaced_by_.reset();
+  if (drop_m_ == 0.0f) displaced_by_ = DisplacedBy{.hulls = std::move(shapes), .grid = grid_};
 }
 
 void WakeWindow::rain() {
-  if (drop_m_ == 0.0f) return;
   struct Seed {
     std::uint32_t low, high;
   };
@@ -282,19 +330,16 @@ void WakeWindow::rain() {
                static_cast<std::uint32_t>(step_),
                static_cast<float>(parameters_.rain.drops_per_m2s * square_m * square_m * parameters_.step_s),
                drops_);
+  hollows_.launch(whole(), grid_, drops_, drop_m_, displaced_);
 }
 
 void WakeWindow::step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced) {
   scroll_to(forcing.centre);
-  upload_hulls(forcing.hulls);
-  rain();
-  if (hulls_.empty() && drop_m_ == 0.0f) {
-    displaced_.fill(0.0f);
-  } else {
-    displace_.launch(whole(), grid_, hulls_buffer_, static_cast<int>(hulls_.size()), drops_, drop_m_,
-                     displaced_);
+  displace(forcing.hulls);
+  if (add_displaced) {
+    add_displaced(middle_s, grid_, displaced_);
+    displaced_by_.reset();
   }
-  if (add_displaced) add_displaced(middle_s, grid_, displaced_);
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();
   } else {
@@ -330,6 +375,7 @@ void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first,
   } else {
     if (add_displaced) {
       displaced_.fill(0.0f);
+      displaced_by_.reset();
       add_displaced(this->time_s(), grid_, displaced_);
       press_.launch({{texels()}}, state_, displaced_, next_);
       forward_->transform(next_, next_);

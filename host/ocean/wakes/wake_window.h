@@ -127,7 +127,7 @@ class WakeWindow {
 
  private:
   void step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced);
-  void upload_hulls(const std::vector<WakeHull>& hulls);
+  void displace(const std::vector<WakeHull>& hulls);
   void rain();
   void advance_dispersive();
   void advance_verlet();
@@ -141,11 +141,16 @@ class WakeWindow {
   WakeGrid grid_{};
   std::int64_t step_ = 0;
   std::optional<fft::Fft2d> forward_, inverse_, fields_inverse_;
-  ocl::Kernel scroll_, rain_, displace_, press_, turn_, settle_, verlet_, spectrum_, differences_, map_;
+  ocl::Kernel scroll_, rain_, hollows_, displace_, press_, turn_, settle_, verlet_, spectrum_, differences_,
+      map_;
   ocl::Buffer<float> kept_, blend_, turn_table_, omega_;
   ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
-  std::vector<WakeHullShape> hulls_;
-  ocl::Buffer<WakeHullShape> hulls_buffer_;
+  // All that displaced_ holds; nothing where it holds more, or rain.
+  struct DisplacedBy {
+    std::vector<WakeHullShape> hulls;
+    WakeGrid grid;
+  };
+  std::optional<DisplacedBy> displaced_by_;
 };
 
 }  // namespace offing::ocean

@@ -164,7 +164,8 @@ TEST(WakeWindowTest, HullsDisplaceTheirVolume) {
   }
 }
 
-// What Verlet's scheme keeps exactly, h_n h_n+1 - s D s with D as kernels/ocean/wakes/wake_differences.clh has it.
+// What Verlet's scheme keeps exactly, h_n h_n+1 - s D s with D as kernels/ocean/wakes/wake_differences.clh
+// has it.
 double verlet_energy(const WakeState& state, int n, double courant) {
   double sum = 0.0;
   for (int row = 0; row < n; ++row) {
@@ -183,6 +184,40 @@ double verlet_energy(const WakeState& state, int n, double courant) {
     }
   }
   return sum;
+}
+
+// Fails if what a hull displaces is kept where it no longer holds: after other hulls have been drawn, after
+// the window has scrolled, or after the hull has turned. The same steps of a window that makes it anew each
+// time, since another hull comes and goes, give the same state bit by bit.
+TEST(WakeWindowTest, KeepsAHullOnlyWhereItStays) {
+  const ocl::Device device = ocl::Device::open();
+  const WakeParameters parameters{.cells = 64, .length_m = 32.0};
+  const auto run = [&](bool is_disturbed) {
+    WakeWindow window(device, parameters);
+    window.reset(0.0, nothing_at_middle(parameters).centre);
+    ocl::Buffer<float> map(device, 4 * 64 * 64, "map");
+    const auto forcing = [&](double time_s) {
+      const double step = std::floor(time_s / parameters.step_s);
+      WakeForcing at = nothing_at_middle(parameters);
+      at.centre.x_m += step < 8.0 ? 0.0 : 2.0;
+      at.hulls = {{.x_m = 15.0, .z_m = 17.0, .heading_rad = step < 12.0 ? 0.3 : 0.9, .length_m = 6.0}};
+      return at;
+    };
+    const WakeWindow::AddDisplaced flat = [](double, const WakeGrid&, ocl::Buffer<float>& displaced_m) {
+      std::vector<float> depths_m = displaced_m.read();
+      for (float& depth_m : depths_m) depth_m += 0.0f;
+      displaced_m.write(depths_m);
+    };
+    const WakeWindow::AddDisplaced other = [](double, const WakeGrid&, ocl::Buffer<float>& displaced_m) {
+      displaced_m.fill(0.25f);
+    };
+    for (int step = 1; step <= 16; ++step) {
+      window.advance_to(step * parameters.step_s, forcing, is_disturbed ? flat : WakeWindow::AddDisplaced{});
+      if (is_disturbed) window.draw(step * parameters.step_s, map, 0, other);
+    }
+    return window.read_state().height_m;
+  };
+  EXPECT_EQ(run(false), run(true));
 }
 
 // Fails if waves gain energy once nothing presses on them, at any step of the next 20 s, within the rounding
