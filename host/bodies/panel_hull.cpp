@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <queue>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
+#include "host/bodies/even_mesh.h"
 #include "host/bodies/hull.h"
 
 namespace offing::bodies {
@@ -19,7 +18,7 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Appends what is left of a polygon where sign * coordinate <= 0.
+/// What is left of a polygon where sign * coordinate <= 0. Crossings are the same from both faces of an edge.
 std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, glm::length_t axis, double sign) {
   std::vector<glm::dvec3> part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -27,7 +26,8 @@ std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, glm::len
     const double a = sign * from[axis], b = sign * to[axis];
     if (a <= 0.0) part.push_back(from);
     if ((a <= 0.0) != (b <= 0.0)) {
-      glm::dvec3 crossing = from + a / (a - b) * (to - from);
+      const glm::dvec3 &kept = a <= 0.0 ? from : to, &lost = a <= 0.0 ? to : from;
+      glm::dvec3 crossing = kept + kept[axis] / (kept[axis] - lost[axis]) * (lost - kept);
       crossing[axis] = 0.0;
       part.push_back(crossing);
     }
@@ -39,25 +39,45 @@ glm::dvec3 twice_area(const Triangle& t) {
   return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// The triangles below y = 0, of the half z >= 0 if asked, in axes from origin_m. Faces in the plane of
-/// symmetry or of the water bound no water.
-std::vector<Triangle> wetted(const TriangleMesh& mesh, const glm::dvec3& origin_m, bool half) {
-  std::vector<Triangle> triangles;
+/// The part below y = 0, of the half z >= 0 if asked, in axes from origin_m, with shared vertices. Vertices
+/// nearer than near_m to a plane go there, so that no thin faces are cut off. Faces in the plane of symmetry
+/// or of the water bound no water.
+TriangleMesh wetted(const TriangleMesh& mesh, const glm::dvec3& origin_m, bool half, double near_m) {
+  TriangleMesh part;
+  std::map<std::array<double, 3>, std::uint32_t> numbers;
   for (const TriangleIndices& face : mesh.faces) {
     std::vector<glm::dvec3> polygon;
-    for (const std::uint32_t corner : face) polygon.push_back(mesh.positions_m[corner] - origin_m);
+    for (const std::uint32_t corner : face) {
+      glm::dvec3 place = mesh.positions_m[corner] - origin_m;
+      if (std::abs(place.y) < near_m) place.y = 0.0;
+      if (half && std::abs(place.z) < near_m) place.z = 0.0;
+      polygon.push_back(place);
+    }
     polygon = clipped(polygon, 1, 1.0);
     if (half) polygon = clipped(polygon, 2, -1.0);
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      const Triangle triangle{polygon[0], polygon[i - 1], polygon[i]};
-      const double longest =
-          std::max({glm::distance(triangle[0], triangle[1]), glm::distance(triangle[1], triangle[2]),
-                    glm::distance(triangle[2], triangle[0])});
-      const bool is_flat = !(glm::length(twice_area(triangle)) > 1e-6 * longest * longest);
-      const bool is_on_water = triangle[0].y + triangle[1].y + triangle[2].y > -1e-9 * longest;
-      if (!is_flat && !is_on_water) triangles.push_back(triangle);
+    const auto is_in_plane = [&](glm::length_t axis) {
+      return std::ranges::all_of(polygon, [&](const glm::dvec3& place) { return place[axis] == 0.0; });
+    };
+    if (is_in_plane(1) || (half && is_in_plane(2))) continue;
+    std::vector<std::uint32_t> corners;
+    for (const glm::dvec3& place : polygon) {
+      // + 0 makes a zero of one sign.
+      const auto [found, is_new] = numbers.try_emplace({place.x + 0.0, place.y + 0.0, place.z + 0.0},
+                                                       static_cast<std::uint32_t>(part.positions_m.size()));
+      if (is_new) part.positions_m.push_back(place);
+      if (corners.empty() || (corners.back() != found->second && corners.front() != found->second))
+        corners.push_back(found->second);
     }
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      part.faces.push_back({corners[0], corners[i - 1], corners[i]});
   }
+  return part;
+}
+
+std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (const TriangleIndices& face : mesh.faces)
+    triangles.push_back({mesh.positions_m[face[0]], mesh.positions_m[face[1]], mesh.positions_m[face[2]]});
   return triangles;
 }
 
@@ -88,91 +108,6 @@ double plane_of(const std::vector<Triangle>& triangles) {
   double area = 0.0;
   for (const Triangle& t : triangles) area -= 0.5 * twice_area(t).y;
   return area;
-}
-
-std::size_t longest_edge(const Triangle& t) {
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (glm::distance(t[i], t[(i + 1) % 3]) > glm::distance(t[longest], t[(longest + 1) % 3])) longest = i;
-  }
-  return longest;
-}
-
-/// Vertices of a cell become the one of them next to their mean, those on the water line and on the plane of
-/// symmetry apart, so that these stay (after Rossignac & Borrel 1993). The cells fit a hull of these sides:
-/// `along` of them along a side as long as the geometric mean.
-std::vector<Triangle> clustered(const std::vector<Triangle>& triangles, const glm::dvec3& span_m, int along) {
-  struct Cluster {
-    glm::dvec3 sum{0.0};
-    double count = 0.0;
-    glm::dvec3 kept{0.0};
-    double off_m = 1e300;
-  };
-  // Between cells that are cubes and cells in proportion to the hull.
-  const double mean_m = std::cbrt(span_m.x * span_m.y * span_m.z);
-  const glm::dvec3 cell_m = glm::sqrt(span_m * mean_m) / static_cast<double>(along);
-  const auto key = [&](const glm::dvec3& place) {
-    const glm::dvec3 at = glm::floor(place / cell_m + 0.25);
-    return std::array<int, 5>{static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z),
-                              place.y == 0.0 ? 1 : 0, place.z == 0.0 ? 1 : 0};
-  };
-  std::map<std::array<int, 5>, Cluster> clusters;
-  for (const Triangle& t : triangles) {
-    for (const glm::dvec3& place : t) {
-      Cluster& cluster = clusters[key(place)];
-      cluster.sum += place;
-      cluster.count += 1.0;
-    }
-  }
-  for (const Triangle& t : triangles) {
-    for (const glm::dvec3& place : t) {
-      Cluster& cluster = clusters[key(place)];
-      const double off_m = glm::distance(place, cluster.sum / cluster.count);
-      if (off_m < cluster.off_m) {
-        cluster.off_m = off_m;
-        cluster.kept = place;
-      }
-    }
-  }
-  std::vector<Triangle> result;
-  for (const Triangle& t : triangles) {
-    const std::array<std::array<int, 5>, 3> keys{key(t[0]), key(t[1]), key(t[2])};
-    if (keys[0] == keys[1] || keys[1] == keys[2] || keys[2] == keys[0]) continue;
-    const Triangle kept{clusters[keys[0]].kept, clusters[keys[1]].kept, clusters[keys[2]].kept};
-    const bool is_on_water = kept[0].y == 0.0 && kept[1].y == 0.0 && kept[2].y == 0.0;
-    const bool is_on_middle = kept[0].z == 0.0 && kept[1].z == 0.0 && kept[2].z == 0.0;
-    const double longest = std::max(
-        {glm::distance(kept[0], kept[1]), glm::distance(kept[1], kept[2]), glm::distance(kept[2], kept[0])});
-    if (!is_on_water && !is_on_middle && glm::length(twice_area(kept)) > 1e-6 * longest * longest)
-      result.push_back(kept);
-  }
-  return result;
-}
-
-/// Halves triangles across their longest edges, those of the longest edge first.
-std::vector<Triangle> halved(const std::vector<Triangle>& triangles, std::size_t count) {
-  struct Piece {
-    double length_m;
-    Triangle triangle;
-    bool operator<(const Piece& other) const { return length_m < other.length_m; }
-  };
-  const auto piece = [](const Triangle& t) {
-    const std::size_t at = longest_edge(t);
-    return Piece{glm::distance(t[at], t[(at + 1) % 3]), t};
-  };
-  std::priority_queue<Piece> pieces;
-  for (const Triangle& t : triangles) pieces.push(piece(t));
-  while (pieces.size() < count) {
-    const Triangle t = pieces.top().triangle;
-    pieces.pop();
-    const std::size_t at = longest_edge(t);
-    const glm::dvec3 &a = t[at], &b = t[(at + 1) % 3], &c = t[(at + 2) % 3], middle = 0.5 * (a + b);
-    pieces.push(piece({a, middle, c}));
-    pieces.push(piece({middle, b, c}));
-  }
-  std::vector<Triangle> result;
-  for (; !pieces.empty(); pieces.pop()) result.push_back(pieces.top().triangle);
-  return result;
 }
 
 /// About this many panels at this height inside the section of the hull there, their normals down. Water
@@ -247,34 +182,31 @@ void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t 
 
 PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_panels) {
   const Extent extent = extent_of(mesh);
+  const glm::dvec3 span = extent.high_m - extent.low_m;
   const double middle_m = 0.5 * (extent.low_m.z + extent.high_m.z);
   PanelHull hull;
-  hull.is_mirrored = is_symmetric(mesh, middle_m, extent.high_m.z - extent.low_m.z);
+  hull.is_mirrored = is_symmetric(mesh, middle_m, span.z);
   hull.origin_m = {0.5 * (extent.low_m.x + extent.high_m.x), level_m, middle_m};
   const std::size_t count = hull.is_mirrored ? (most_panels + 1) / 2 : most_panels;
-  std::vector<Triangle> triangles = wetted(mesh, hull.origin_m, hull.is_mirrored);
-  const double volume_m3 = volume_of(triangles);
-  if (triangles.empty() || !(volume_m3 > 0.0)) {
+  const double near_m = 1e-4 * std::cbrt(span.x * span.y * span.z);
+  const TriangleMesh whole = wetted(mesh, hull.origin_m, hull.is_mirrored, near_m);
+  const std::vector<Triangle> fine = triangles_of(whole);
+  const double volume_m3 = volume_of(fine);
+  if (fine.empty() || !(volume_m3 > 0.0)) {
     throw Error(
         ErrorKind::bad_input,
         fmt::format("panels of a hull: expected a part of it below its water line, found none below {:.4g} m",
                     level_m),
         "give it a draught above 0");
   }
-  if (triangles.size() > count) {
-    const std::vector<Triangle> whole = triangles;
-    const glm::dvec3 span = extent.high_m - extent.low_m;
-    for (int cells = 64; cells > 3 && triangles.size() > count; --cells)
-      triangles = clustered(whole, span, cells);
-    // The water plane and the volume of the finer hull: they bear it up in long waves.
-    const double plane_m2 = plane_of(triangles), planes = plane_m2 > 0.0 ? plane_of(whole) / plane_m2 : 1.0;
-    const double volumes = volume_m3 / volume_of(triangles);
-    for (Triangle& triangle : triangles) {
-      for (glm::dvec3& corner : triangle)
-        corner *= glm::dvec3(std::sqrt(planes), volumes / planes, std::sqrt(planes));
-    }
+  std::vector<Triangle> triangles = triangles_of(even_mesh(whole, count));
+  // The water plane and the volume of the given hull: they bear it up in long waves.
+  const double plane_m2 = plane_of(triangles), planes = plane_m2 > 0.0 ? plane_of(fine) / plane_m2 : 1.0;
+  const double volumes = volume_m3 / volume_of(triangles);
+  for (Triangle& triangle : triangles) {
+    for (glm::dvec3& corner : triangle)
+      corner *= glm::dvec3(std::sqrt(planes), volumes / planes, std::sqrt(planes));
   }
-  triangles = halved(triangles, count);
   glm::dvec3 low(1e300), high(-1e300);
   for (const Triangle& t : triangles) {
     Panel panel;
@@ -291,10 +223,15 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_
     }
   }
   hull.wetted_count = hull.panels.size();
+  double area_m2 = 0.0;
+  for (const Panel& panel : hull.panels) area_m2 += panel.area_m2;
+  const double side_m = std::sqrt(area_m2 * 4.0 / std::sqrt(3.0) / static_cast<double>(hull.panels.size()));
   const double breadth_m = hull.is_mirrored ? 2.0 * high.z : high.z - low.z;
   hull.length_m = std::sqrt((high.x - low.x) * breadth_m);
-  // The water above the cover resonates from omega^2 / g = kappa coth(kappa d) on, at least 1 / d.
-  const double depth_m = std::min(0.04 * std::min(high.x - low.x, breadth_m), -0.2 * low.y);
+  // The water above the cover resonates from omega^2 / g = kappa coth(kappa d) on, at least 1 / d. The
+  // centres of panels at the water line lie 0.3 sides or more below it: the cover's edge, where the velocity
+  // is singular, must not come near them.
+  const double depth_m = std::min({0.04 * std::min(high.x - low.x, breadth_m), -0.2 * low.y, 0.1 * side_m});
   cover(triangles, -depth_m, count / 6 + 1, hull);
   return hull;
 }

@@ -241,41 +241,48 @@ class Solver {
              HullMatrix& damping, HullWrench* excitation) const {
     const double nu = frequency * frequency / gravity_;
     const auto wave_count = static_cast<Eigen::Index>(directions.size());
-    // The incident potential and its derivative along the normal, even and odd parts, per direction.
-    std::array<ComplexMatrix, 2> incident, incident_n;
-    for (int part = 0; part < parts_; ++part) {
-      incident[part].setZero(all(), wave_count);
-      incident_n[part].setZero(all(), wave_count);
-    }
+    // The derivative of the incident potential along the normal, even and odd parts, and the force of its
+    // pressure, per direction. A rule of three points is exact where pressures are linear over a panel, as
+    // those of long waves are: their moments hardly depend on the panels.
+    std::array<ComplexMatrix, 2> incident_n;
+    for (int part = 0; part < parts_; ++part) incident_n[part].setZero(all(), wave_count);
+    Eigen::Matrix<Complex, 6, Eigen::Dynamic> forces =
+        Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Zero(6, wave_count);
+    const Complex to_force(0.0, -frequency * density_);
     for (Eigen::Index b = 0; b < wave_count; ++b) {
       const double c = std::cos(directions[static_cast<std::size_t>(b)]);
       const double s = std::sin(directions[static_cast<std::size_t>(b)]);
       for (Eigen::Index i = 0; i < wetted(); ++i) {
         const Panel& panel = hull_.panels[static_cast<std::size_t>(i)];
-        const auto wave = [&](const glm::dvec3& place, const glm::dvec3& normal) {
-          const double phase = nu * ((place.x - about_.x) * c + (place.z - about_.z) * s);
-          const Complex value =
-              Complex(0.0, -gravity_ / frequency) * std::polar(std::exp(nu * place.y), phase);
-          return std::pair(value, value * nu * Complex(normal.y, normal.x * c + normal.z * s));
+        const auto add = [&](bool is_image) {
+          const glm::dvec3 normal = is_image ? mirrored(panel.normal) : panel.normal;
+          Complex mean = 0.0;
+          for (std::size_t corner = 0; corner < 3; ++corner) {
+            glm::dvec3 place = 0.5 * (panel.corners_m[corner] + panel.corners_m[(corner + 1) % 3]);
+            if (is_image) place = mirrored(place);
+            const double phase = nu * ((place.x - about_.x) * c + (place.z - about_.z) * s);
+            const Complex value =
+                Complex(0.0, -gravity_ / frequency) * std::polar(std::exp(nu * place.y) / 3.0, phase);
+            mean += value;
+            const std::array<double, 6> moved = motions(place, normal);
+            for (Eigen::Index m = 0; m < 6; ++m)
+              forces(m, b) += to_force * panel.area_m2 * moved[static_cast<std::size_t>(m)] * value;
+          }
+          return mean * nu * Complex(normal.y, normal.x * c + normal.z * s);
         };
-        const auto [value, slope] = wave(panel.centre_m, panel.normal);
+        const Complex slope = add(false);
         if (parts_ == 1) {
-          incident[0](i, b) = value;
           incident_n[0](i, b) = slope;
           continue;
         }
-        const auto [value2, slope2] = wave(mirrored(panel.centre_m), mirrored(panel.normal));
-        incident[0](i, b) = 0.5 * (value + value2);
+        const Complex slope2 = add(true);
         incident_n[0](i, b) = 0.5 * (slope + slope2);
-        incident[1](i, b) = 0.5 * (value - value2);
         incident_n[1](i, b) = 0.5 * (slope - slope2);
       }
     }
     const Influence same = waves_at(hull_, same_, nu, false);
     const Influence other = parts_ == 2 ? waves_at(hull_, other_, nu, true) : Influence{};
     Eigen::Matrix<Complex, 6, 6> sum = Eigen::Matrix<Complex, 6, 6>::Zero();
-    Eigen::Matrix<Complex, 6, Eigen::Dynamic> forces =
-        Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Zero(6, wave_count);
     for (int part = 0; part < parts_; ++part) {
       ComplexMatrix value = same.value, normal = same.normal;
       value += same_.direct + same_.image;
@@ -290,14 +297,13 @@ class Solver {
       const Matrix weights = weighted(part);
       const ComplexMatrix potentials = value * inverse.solve(normals_[part].cast<Complex>());
       sum += weights.transpose() * potentials;
-      const Complex to_force(0.0, -frequency * density_);
       if (is_direct_) {
         const ComplexMatrix diffracted = value * inverse.solve(-incident_n[part]);
-        forces += to_force * (weights.transpose() * (incident[part] + diffracted));
+        forces += to_force * (weights.transpose() * diffracted);
       } else {
         // Haskind 1957: the reciprocity of diffracted and radiated waves.
         const ComplexMatrix reach = areas().asDiagonal() * potentials;
-        forces += to_force * (weights.transpose() * incident[part] - reach.transpose() * incident_n[part]);
+        forces -= to_force * (reach.transpose() * incident_n[part]);
       }
     }
     added_mass = symmetric(-density_ * sum.real());

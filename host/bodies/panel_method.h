@@ -14,7 +14,7 @@
 namespace offing::bodies {
 
 struct PanelOptions {
-  std::size_t panels = 250;      ///< of the wetted hull, about
+  std::size_t panels = 360;      ///< of the wetted hull, about
   std::size_t frequencies = 24;  ///< at least 2
   int threads = 0;               ///< 0: as many as there are processors
   /// Damping from pressures and excitation from the diffracted waves, rather than both by Haskind's relation,
@@ -25,7 +25,7 @@ struct PanelOptions {
 /// Added mass, damping and excitation of a closed hull that floats with its water line at y = level_m of its
 /// mesh, in waves from 60 down to 0.6 times the geometric mean of its length and breadth, every 15 degrees.
 /// Three-dimensional linear potential flow on deep water without forward speed: constant sources on flat
-/// panels (Hess & Smith 1964) with the Green function of waves (Newman 1985). 0.2 to 0.7 s on one core of a
+/// panels (Hess & Smith 1964) with the Green function of waves (Newman 1985). 0.4 to 1 s on one core of a
 /// busy machine. Throws Error(bad_input) if nothing of the hull is below the level.
 HydrodynamicData panel_method(const TriangleMesh& hull, double level_m, const glm::dvec3& about_m,
                               double density_kgpm3, double gravity_mps2, const PanelOptions& options = {});

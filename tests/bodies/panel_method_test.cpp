@@ -11,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/bodies/panel_hull.h"
+#include "host/mesh_shapes/shape.h"
 #include "tests/bodies/example_bodies.h"
 
 namespace offing::bodies {
@@ -44,6 +45,18 @@ double heave(const Loaded& box, double period_s) {
   return std::abs(linear_response(box.data, box.mass, box.restoring, 2.0 * pi / period_s, 0.0)[1]);
 }
 
+/// Of the triangles: 1 if equilateral, 0 if flat.
+double worst_shape(const PanelHull& hull) {
+  double worst = 1.0;
+  for (std::size_t i = 0; i < hull.wetted_count; ++i) {
+    const auto& c = hull.panels[i].corners_m;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) squares += glm::dot(c[(k + 1) % 3] - c[k], c[(k + 1) % 3] - c[k]);
+    worst = std::min(worst, 4.0 * std::sqrt(3.0) * hull.panels[i].area_m2 / squares);
+  }
+  return worst;
+}
+
 // Fails if panels are lost, doubled or turned, or if a coarser hull displaces less.
 TEST(PanelHullTest, PanelsCloseTheHull) {
   for (const TriangleMesh& mesh : {test::box({10.0, 4.0, 6.0}), test::ball(3.0, 5), test::ship(24.0)}) {
@@ -51,7 +64,7 @@ TEST(PanelHullTest, PanelsCloseTheHull) {
     const PanelHull hull = panel_hull(mesh, level_m, 250);
     EXPECT_TRUE(hull.is_mirrored);
     EXPECT_GE(hull.wetted_count, 90u);
-    EXPECT_LE(hull.wetted_count, 125u);
+    EXPECT_LE(hull.wetted_count, 138u);
     double volume = 0.0, cover = 0.0;
     for (std::size_t i = 0; i < hull.panels.size(); ++i) {
       const Panel& panel = hull.panels[i];
@@ -69,9 +82,28 @@ TEST(PanelHullTest, PanelsCloseTheHull) {
   EXPECT_THROW(panel_hull(test::box({1.0, 1.0, 1.0}), -0.6, 250), Error);
 }
 
-// A floating hemisphere of radius a, of its displaced mass: heave 1 / 2 at infinity, 0.8310 at 0 (Hulme
-// 1982), surge 0.2732 at infinity and 1 / 2 at 0. Fails if an integral or the image is wrong. The mesh's own
-// faces are the panels, without a coarser hull. Limit 4 %, for their constant sources.
+// Long faces, as those of a cylinder of few vertices, and large ones become panels of even shape. Fails if
+// remeshing leaves thin panels, loses a crease, or cuts thin faces off at the water line: those gave pitch
+// 26 % too small. Worst shape of these 0.7, limit 0.5.
+TEST(PanelHullTest, PanelsAreEven) {
+  const TriangleMesh column = mesh_shapes::make_cylinder(5.0, 20.0, {.u_cells = 3, .v_cells = 32}).mesh;
+  for (const double level_m : {0.0, 9.9999}) {
+    const PanelHull hull = panel_hull(column, level_m, 400);
+    EXPECT_GT(worst_shape(hull), 0.5) << level_m;
+    double bottom_m2 = 0.0;
+    for (std::size_t i = 0; i < hull.wetted_count; ++i) {
+      const Panel& panel = hull.panels[i];
+      EXPECT_TRUE(panel.normal.y < -0.99 || std::abs(panel.normal.y) < 0.1) << panel.normal.y;
+      if (panel.normal.y < -0.99) bottom_m2 += 2.0 * panel.area_m2;
+    }
+    EXPECT_NEAR(bottom_m2 / submerged_below(column, level_m).plane_m2, 1.0, 1e-3);
+  }
+  EXPECT_GT(worst_shape(panel_hull(test::box({30.0, 6.0, 12.0}), 0.0, 300)), 0.5);
+}
+
+// A floating hemisphere of radius a, of its displaced mass: heave 1 / 2 at infinity, 0.8764 at
+// k a = 0.05 (Hulme 1982), surge 0.2732 at infinity and 1 / 2 at 0. Fails if an integral or the image is
+// wrong. The mesh's own faces are the panels, without a coarser hull. Limit 4 %, for their constant sources.
 TEST(PanelMethodTest, HemisphereAtTheEndsOfTheSpectrum) {
   const TriangleMesh ball = test::ball(5.0, 3);
   const double displaced = test::sea_density_kgpm3 * submerged_below(ball, 0.0).volume_m3;
@@ -80,8 +112,7 @@ TEST(PanelMethodTest, HemisphereAtTheEndsOfTheSpectrum) {
   EXPECT_NEAR(data.added_mass_at_infinity[0] / displaced, 0.2732, 0.011);
   // k a = 2 pi / 120: a little above the values at 0.
   EXPECT_NEAR(data.added_mass.front()[0] / displaced, 0.515, 0.02);
-  EXPECT_GT(data.added_mass.front()[7] / displaced, 0.8310 * 0.98);
-  EXPECT_LT(data.added_mass.front()[7] / displaced, 0.8310 * 1.08);
+  EXPECT_NEAR(data.added_mass.front()[7] / displaced, 0.8764, 0.035);
 }
 
 // Haskind's relation and energy: the excitation by diffraction and the damping by pressure agree with what
@@ -132,6 +163,28 @@ TEST(PanelMethodTest, CubeHeavesAsCapytaineSays) {
   EXPECT_NEAR(heave(shallow, 8.0), 1.015, 0.01);
   EXPECT_NEAR(heave(shallow, 6.0), 1.084, 0.02);
   EXPECT_NEAR(heave(shallow, 5.0), 1.284, 0.04);
+}
+
+// In long waves water is a plane that tilts and is accelerated down its slope s by g s: it turns a hull by
+// s (C -+ g A), C its restoring force and A its added mass from sway to roll or surge to pitch. Fails if the
+// moments of pressures are integrated at the panels' centres: 15 % too small in this ship's roll. The panels
+// are 2 % deeper than the ship in the mean, which is 2 % of her roll; limit 4 %.
+TEST(PanelMethodTest, LongWavesTurnAHullAsTiltedWaterDoes) {
+  const TriangleMesh ship = test::ship(24.0);
+  const double level_m = -0.1;
+  const Submerged below = submerged_below(ship, level_m);
+  const glm::dvec3 centre = below.centre_m + glm::dvec3(0.0, 0.3, 0.0);
+  const HydrodynamicData data =
+      panel_method(ship, level_m, centre, test::sea_density_kgpm3, gravity_mps2, {.frequencies = 2});
+  const HullMatrix restoring = restoring_matrix(below, centre, centre, test::sea_density_kgpm3, gravity_mps2);
+  const HullMatrix& added = data.added_mass.front();
+  const double k = std::pow(data.frequencies_radps.front(), 2.0) / gravity_mps2;
+  const auto turned = [&](double direction_rad, std::size_t motion) {
+    // What is in phase with the slope, not with the height.
+    return std::abs(excitation_at(data, data.frequencies_radps.front(), direction_rad)[motion].imag()) / k;
+  };
+  EXPECT_NEAR(turned(0.5 * pi, 3) / (restoring[7 * 3] + gravity_mps2 * added[2 * 6 + 3]), 1.0, 0.04);
+  EXPECT_NEAR(turned(0.0, 5) / (restoring[7 * 5] - gravity_mps2 * added[0 * 6 + 5]), 1.0, 0.04);
 }
 
 // A(omega) = A at infinity - 1 / omega integral of K sin (Ogilvie 1964). Fails if the tail of B or a factor
