@@ -39,7 +39,11 @@ glm::dvec3 nearest_on(const std::array<glm::dvec3, 2>& segment, const glm::dvec3
 glm::dvec3 nearest_on(const std::array<glm::dvec3, 3>& t, const glm::dvec3& place) {
   const glm::dvec3 normal = twice_area(t[0], t[1], t[2]);
   const double size2 = glm::dot(normal, normal);
-  bool is_inside = size2 > 0.0;
+  double longest2 = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    longest2 = std::max(longest2, glm::dot(t[(i + 1) % 3] - t[i], t[(i + 1) % 3] - t[i]));
+  // A flat one is its edges.
+  bool is_inside = size2 > 1e-16 * longest2 * longest2;
   for (std::size_t i = 0; is_inside && i < 3; ++i)
     is_inside = glm::dot(twice_area(t[i], t[(i + 1) % 3], place), normal) >= 0.0;
   if (is_inside) return place - glm::dot(place - t[0], normal) / size2 * normal;
@@ -92,8 +96,7 @@ class Remesher {
  public:
   Remesher(const TriangleMesh& surface, double cos_crease)
       : places_(surface.positions_m), faces_(surface.faces), is_fixed_(places_.size(), false) {
-    for (const TriangleIndices& face : faces_)
-      surface_.add({places_[face[0]], places_[face[1]], places_[face[2]]});
+    for (const TriangleIndices& face : faces_) surface_.add(places_of(face));
     std::vector<std::vector<Vertex>> ends(places_.size());
     for (const auto& [edge, faces] : edges()) {
       if (faces.size() == 2) {
@@ -116,8 +119,9 @@ class Remesher {
     }
   }
 
-  void make_even(double length) {
-    split(4.0 / 3.0 * length);
+  /// Splits no more when there are most_faces: on a surface much rougher than faces edges can grow each time.
+  void make_even(double length, std::size_t most_faces) {
+    split(4.0 / 3.0 * length, most_faces);
     collapse(0.8 * length, 4.0 / 3.0 * length);
     flip();
     relax();
@@ -165,11 +169,12 @@ class Remesher {
   }
   glm::dvec3 normal(std::uint32_t face) const { return normal(faces_[face]); }
 
-  /// Lines in the planes y = 0 and z = 0 stay there, apart from each other and from all else.
+  /// Lines in the planes x = 0, y = 0 and z = 0 stay there, apart from each other and from all else.
   std::size_t line_of(const Edge& edge) const {
     const glm::dvec3 &a = places_[edge.first], &b = places_[edge.second];
-    if (a.y == 0.0 && b.y == 0.0) return 1;
-    if (a.z == 0.0 && b.z == 0.0) return 2;
+    for (const glm::length_t axis : {1, 2, 0}) {
+      if (a[axis] == 0.0 && b[axis] == 0.0) return static_cast<std::size_t>(axis) + 1;
+    }
     return 0;
   }
 
@@ -186,8 +191,8 @@ class Remesher {
     return result;
   }
 
-  void split(double most) {
-    for (int round = 0; round < most_rounds; ++round) {
+  void split(double most, std::size_t most_faces) {
+    for (int round = 0; round < most_rounds && faces_.size() < most_faces; ++round) {
       const EdgeFaces around = edges();
       std::vector<Edge> longest = sorted(around, [&](double size) { return size > most; });
       if (longest.empty()) return;
@@ -228,9 +233,13 @@ class Remesher {
       for (const Edge& edge : sorted(around, [&](double size) { return size < least; })) {
         auto [kept, lost] = edge;
         const bool is_feature = features_.contains(edge);
-        if (is_bound[kept] && is_bound[lost] && !is_feature) continue;
         if (is_fixed_[lost] || (is_bound[lost] && !is_bound[kept])) std::swap(kept, lost);
-        if (is_fixed_[lost]) continue;
+        const bool joins_lines = is_bound[lost] && (is_fixed_[lost] || !is_feature);
+        if (joins_lines) {
+          // What is much smaller than a face goes, whatever it is, but nothing leaves the planes of 0.
+          if (leaves_plane(kept, lost)) std::swap(kept, lost);
+          if (length(edge) > 0.5 * least || leaves_plane(kept, lost)) continue;
+        }
         const glm::dvec3 place = is_bound[kept] ? places_[kept] : 0.5 * (places_[kept] + places_[lost]);
         if (!can_collapse(kept, lost, place, most, around.at(edge).size(), fans, is_touched)) continue;
         is_changed = true;
@@ -243,7 +252,8 @@ class Remesher {
           const TriangleIndices& f = faces_[face];
           is_gone[face] = f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
         }
-        if (is_feature) rename_features(kept, lost);
+        if (is_bound[lost]) rename_features(kept, lost);
+        if (joins_lines) is_fixed_[kept] = true;
       }
       if (!is_changed) return;
       std::vector<TriangleIndices> faces;
@@ -252,6 +262,22 @@ class Remesher {
       }
       faces_ = std::move(faces);
     }
+  }
+
+  bool leaves_plane(Vertex kept, Vertex lost) const {
+    const glm::dvec3 &to = places_[kept], &from = places_[lost];
+    return (from.x == 0.0 && to.x != 0.0) || (from.y == 0.0 && to.y != 0.0) || (from.z == 0.0 && to.z != 0.0);
+  }
+
+  std::array<glm::dvec3, 3> places_of(const TriangleIndices& face) const {
+    return {places_[face[0]], places_[face[1]], places_[face[2]]};
+  }
+  /// Where a face would bound no water: between vertices of one border.
+  static bool lies_in_plane(const std::array<glm::dvec3, 3>& corners) {
+    for (const glm::length_t axis : {0, 1, 2}) {
+      if (corners[0][axis] == 0.0 && corners[1][axis] == 0.0 && corners[2][axis] == 0.0) return true;
+    }
+    return false;
   }
 
   bool can_collapse(Vertex kept, Vertex lost, const glm::dvec3& place, double most, std::size_t shared,
@@ -263,16 +289,17 @@ class Remesher {
         if (is_touched[face]) return false;
         bool has_both = true;
         for (const Vertex w : {kept, lost}) has_both = has_both && std::ranges::count(faces_[face], w) > 0;
-        TriangleIndices moved = faces_[face];
-        for (Vertex& corner : moved) {
+        const TriangleIndices& corners = faces_[face];
+        for (const Vertex corner : corners) {
           if (corner != v) (v == kept ? around_kept : around_lost).insert(corner);
         }
         if (has_both) continue;
         std::array<glm::dvec3, 3> at{};
-        for (std::size_t i = 0; i < 3; ++i) at[i] = moved[i] == v ? place : places_[moved[i]];
+        for (std::size_t i = 0; i < 3; ++i) at[i] = corners[i] == v ? place : places_[corners[i]];
         for (std::size_t i = 0; i < 3; ++i) {
           if (glm::distance(at[i], at[(i + 1) % 3]) > most) return false;
         }
+        if (lies_in_plane(at) && !lies_in_plane(places_of(corners))) return false;
         const glm::dvec3 before = normal(face), after = twice_area(at[0], at[1], at[2]);
         // No face turns by more than 60 degrees.
         if (!(glm::dot(before, after) > 0.5 * glm::length(before) * glm::length(after)) &&
@@ -318,6 +345,7 @@ class Remesher {
         // The first face loses one end of the edge, the second the other one.
         std::ranges::replace(one, edge.second, d);
         std::ranges::replace(two, edge.first, c);
+        if (lies_in_plane(places_of(one)) || lies_in_plane(places_of(two))) continue;
         if (!(glm::dot(normal(one), before) > 0.0 && glm::dot(normal(two), before) > 0.0)) continue;
         faces_[faces[0]] = one;
         faces_[faces[1]] = two;
@@ -381,7 +409,7 @@ class Remesher {
   std::vector<bool> is_fixed_;
   std::set<Edge> features_;
   Reference<3> surface_;
-  std::array<Reference<2>, 3> lines_;
+  std::array<Reference<2>, 4> lines_;
 };
 
 }  // namespace
@@ -394,7 +422,7 @@ TriangleMesh even_mesh(const TriangleMesh& surface, std::size_t count) {
     // Equilateral ones.
     double length = std::sqrt(4.0 / std::sqrt(3.0) * remesher.area() / static_cast<double>(count));
     for (int turn = 0; turn < 12; ++turn) {
-      for (int pass = 0; pass < 4; ++pass) remesher.make_even(length);
+      for (int pass = 0; pass < 4; ++pass) remesher.make_even(length, 8 * count);
       const double share = static_cast<double>(remesher.count()) / static_cast<double>(count);
       if (std::abs(share - 1.0) < 0.08) break;
       length *= std::clamp(std::sqrt(share), 0.8, 1.25);

@@ -39,26 +39,29 @@ glm::dvec3 twice_area(const Triangle& t) {
   return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// The part below y = 0, of the half z >= 0 if asked, in axes from origin_m, with shared vertices. Vertices
-/// nearer than near_m to a plane go there, so that no thin faces are cut off. Faces in the plane of symmetry
-/// or of the water bound no water.
-TriangleMesh wetted(const TriangleMesh& mesh, const glm::dvec3& origin_m, bool half, double near_m) {
+/// The part where y < 0, and x < 0 or z > 0 where the hull has images there, in axes from origin_m, with
+/// shared vertices. Vertices nearer than near_m to a plane go there, so that no thin faces are cut off. Faces
+/// in these planes bound no water.
+TriangleMesh wetted(const TriangleMesh& mesh, const PanelHull& hull, double near_m) {
+  std::vector<std::pair<glm::length_t, double>> planes{{1, 1.0}};
+  if (hull.images.size() > 1) planes.emplace_back(2, -1.0);
+  if (hull.images.size() > 2) planes.emplace_back(0, 1.0);
   TriangleMesh part;
   std::map<std::array<double, 3>, std::uint32_t> numbers;
   for (const TriangleIndices& face : mesh.faces) {
     std::vector<glm::dvec3> polygon;
     for (const std::uint32_t corner : face) {
-      glm::dvec3 place = mesh.positions_m[corner] - origin_m;
-      if (std::abs(place.y) < near_m) place.y = 0.0;
-      if (half && std::abs(place.z) < near_m) place.z = 0.0;
+      glm::dvec3 place = mesh.positions_m[corner] - hull.origin_m;
+      for (const auto& [axis, sign] : planes) {
+        if (std::abs(place[axis]) < near_m) place[axis] = 0.0;
+      }
       polygon.push_back(place);
     }
-    polygon = clipped(polygon, 1, 1.0);
-    if (half) polygon = clipped(polygon, 2, -1.0);
-    const auto is_in_plane = [&](glm::length_t axis) {
-      return std::ranges::all_of(polygon, [&](const glm::dvec3& place) { return place[axis] == 0.0; });
-    };
-    if (is_in_plane(1) || (half && is_in_plane(2))) continue;
+    for (const auto& [axis, sign] : planes) polygon = clipped(polygon, axis, sign);
+    const bool is_in_plane = std::ranges::any_of(planes, [&](const auto& plane) {
+      return std::ranges::all_of(polygon, [&](const glm::dvec3& place) { return place[plane.first] == 0.0; });
+    });
+    if (is_in_plane) continue;
     std::vector<std::uint32_t> corners;
     for (const glm::dvec3& place : polygon) {
       // + 0 makes a zero of one sign.
@@ -81,15 +84,18 @@ std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
   return triangles;
 }
 
-/// Whether each vertex has an image in the plane z = middle, within a thousandth of the breadth.
-bool is_symmetric(const TriangleMesh& mesh, double middle_m, double breadth_m) {
+/// Whether each vertex has an image across a plane of this axis, within a thousandth of the extent along it.
+bool is_symmetric(const TriangleMesh& mesh, glm::length_t axis, double middle_m, double extent_m) {
   std::vector<glm::dvec3> places = mesh.positions_m;
-  const double near_m = 1e-3 * breadth_m;
-  std::ranges::sort(places, {}, [](const glm::dvec3& place) { return place.x; });
+  const double near_m = 1e-3 * extent_m;
+  const glm::length_t other = axis == 0 ? 2 : 0;
+  const auto along = [other](const glm::dvec3& place) { return place[other]; };
+  std::ranges::sort(places, {}, along);
   return std::ranges::all_of(mesh.positions_m, [&](const glm::dvec3& place) {
-    const glm::dvec3 image(place.x, place.y, 2.0 * middle_m - place.z);
-    auto at = std::ranges::lower_bound(places, place.x - near_m, {}, [](const glm::dvec3& p) { return p.x; });
-    for (; at != places.end() && at->x <= place.x + near_m; ++at) {
+    glm::dvec3 image = place;
+    image[axis] = 2.0 * middle_m - place[axis];
+    auto at = std::ranges::lower_bound(places, image[other] - near_m, {}, along);
+    for (; at != places.end() && along(*at) <= image[other] + near_m; ++at) {
       if (glm::distance(*at, image) <= near_m) return true;
     }
     return false;
@@ -140,7 +146,7 @@ void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t 
       if ((s.from.x > x) == (s.to.x > x)) continue;
       walls.push_back(s.from.z + (x - s.from.x) / (s.to.x - s.from.x) * (s.to.z - s.from.z));
     }
-    if (hull.is_mirrored && walls.size() % 2 != 0) walls.push_back(0.0);
+    if (hull.images.size() > 1 && walls.size() % 2 != 0) walls.push_back(0.0);
     std::ranges::sort(walls);
     return walls;
   };
@@ -180,16 +186,22 @@ void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t 
 
 }  // namespace
 
-PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_panels) {
+PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panels) {
   const Extent extent = extent_of(mesh);
-  const glm::dvec3 span = extent.high_m - extent.low_m;
-  const double middle_m = 0.5 * (extent.low_m.z + extent.high_m.z);
+  const glm::dvec3 span = extent.high_m - extent.low_m, middle = 0.5 * (extent.low_m + extent.high_m);
   PanelHull hull;
-  hull.is_mirrored = is_symmetric(mesh, middle_m, span.z);
-  hull.origin_m = {0.5 * (extent.low_m.x + extent.high_m.x), level_m, middle_m};
-  const std::size_t count = hull.is_mirrored ? (most_panels + 1) / 2 : most_panels;
-  const double near_m = 1e-4 * std::cbrt(span.x * span.y * span.z);
-  const TriangleMesh whole = wetted(mesh, hull.origin_m, hull.is_mirrored, near_m);
+  hull.images = {{1.0, 1.0, 1.0}};
+  if (is_symmetric(mesh, 2, middle.z, span.z)) {
+    hull.images.push_back({1.0, 1.0, -1.0});
+    if (is_symmetric(mesh, 0, middle.x, span.x)) {
+      hull.images.push_back({-1.0, 1.0, 1.0});
+      hull.images.push_back({-1.0, 1.0, -1.0});
+    }
+  }
+  hull.origin_m = {middle.x, level_m, middle.z};
+  const double share = 1.0 / std::sqrt(static_cast<double>(hull.images.size()));
+  const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(panels)));
+  const TriangleMesh whole = wetted(mesh, hull, 1e-4 * std::cbrt(span.x * span.y * span.z));
   const std::vector<Triangle> fine = triangles_of(whole);
   const double volume_m3 = volume_of(fine);
   if (fine.empty() || !(volume_m3 > 0.0)) {
@@ -203,11 +215,18 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_
   // The water plane and the volume of the given hull: they bear it up in long waves.
   const double plane_m2 = plane_of(triangles), planes = plane_m2 > 0.0 ? plane_of(fine) / plane_m2 : 1.0;
   const double volumes = volume_m3 / volume_of(triangles);
-  for (Triangle& triangle : triangles) {
-    for (glm::dvec3& corner : triangle)
-      corner *= glm::dvec3(std::sqrt(planes), volumes / planes, std::sqrt(planes));
-  }
+  double mean_m2 = 0.0;
   glm::dvec3 low(1e300), high(-1e300);
+  for (Triangle& triangle : triangles) {
+    for (glm::dvec3& corner : triangle) {
+      corner *= glm::dvec3(std::sqrt(planes), volumes / planes, std::sqrt(planes));
+      for (const glm::dvec3& image : hull.images) {
+        low = glm::min(low, image * corner);
+        high = glm::max(high, image * corner);
+      }
+    }
+    mean_m2 += 0.5 * glm::length(twice_area(triangle)) / static_cast<double>(triangles.size());
+  }
   for (const Triangle& t : triangles) {
     Panel panel;
     std::ranges::copy(t, panel.corners_m.begin());
@@ -215,18 +234,12 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_
     panel.centre_m = (t[0] + t[1] + t[2]) / 3.0;
     const glm::dvec3 twice = twice_area(t);
     panel.area_m2 = 0.5 * glm::length(twice);
+    if (!(panel.area_m2 > 1e-3 * mean_m2)) continue;
     panel.normal = twice / glm::length(twice);
     hull.panels.push_back(panel);
-    for (const glm::dvec3& corner : t) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
   }
   hull.wetted_count = hull.panels.size();
-  double area_m2 = 0.0;
-  for (const Panel& panel : hull.panels) area_m2 += panel.area_m2;
-  const double side_m = std::sqrt(area_m2 * 4.0 / std::sqrt(3.0) / static_cast<double>(hull.panels.size()));
-  const double breadth_m = hull.is_mirrored ? 2.0 * high.z : high.z - low.z;
+  const double breadth_m = high.z - low.z, side_m = std::sqrt(4.0 / std::sqrt(3.0) * mean_m2);
   hull.length_m = std::sqrt((high.x - low.x) * breadth_m);
   // The water above the cover resonates from omega^2 / g = kappa coth(kappa d) on, at least 1 / d. The
   // centres of panels at the water line lie 0.3 sides or more below it: the cover's edge, where the velocity

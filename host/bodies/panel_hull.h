@@ -20,19 +20,24 @@ struct Panel {
   double area_m2 = 0.0;
 };
 
-/// Panels in axes whose origin is on the still water, and on the plane of symmetry if there is one.
+/// Panels in axes whose origin is on the still water, and on the planes of symmetry if there are any.
 struct PanelHull {
-  std::vector<Panel> panels;  ///< those of the hull, then those of the cover; one half of them if is_mirrored
+  /// Those of the hull, then those of the cover: of the half z > 0, or the quarter x < 0, z > 0, of a
+  /// symmetric hull.
+  std::vector<Panel> panels;
   std::size_t wetted_count = 0;  ///< panels of the hull
-  bool is_mirrored = false;      ///< whether the rest are the images in z = 0
-  glm::dvec3 origin_m{0.0};      ///< in the axes of the mesh
-  double length_m = 0.0;         ///< geometric mean of the wetted part's length and breadth
+  /// What places are multiplied by: 1, then -1 along z, then -1 along x without and with -1 along z. As many
+  /// as the hull has such parts: 1, 2 or 4.
+  std::vector<glm::dvec3> images;
+  glm::dvec3 origin_m{0.0};  ///< in the axes of the mesh
+  double length_m = 0.0;     ///< geometric mean of the wetted part's length and breadth
 };
 
-/// About `most_panels` panels, both halves together, of the part of a closed mesh below y = level_m: a
-/// coarser mesh of the same volume if it has more faces, halved along its longest edges if it has fewer. A
-/// cover a little below the inner water plane, a sixth more panels, keeps the water inside from resonating.
-/// Throws Error(bad_input) if nothing is below the level.
-PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t most_panels);
+/// About this many panels of the part of a closed mesh below y = level_m; with their images, sqrt(2) or 2
+/// times as many of hulls with 1 or 2 planes of symmetry, which take the same time to solve: triangles of
+/// even size and shape (even_mesh()), stretched to the same volume and water plane. A cover a little below
+/// the inner water plane, a sixth more panels, keeps the water inside from resonating. Throws
+/// Error(bad_input) if nothing is below the level.
+PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panels);
 
 }  // namespace offing::bodies

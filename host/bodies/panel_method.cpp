@@ -1,6 +1,7 @@
 #include "host/bodies/panel_method.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -22,10 +23,6 @@ using ComplexMatrix = Eigen::MatrixXcd;
 
 constexpr std::size_t direction_count = 24;
 constexpr double longest_wave = 60.0, shortest_wave = 0.6;  // of the hull's length
-
-glm::dvec3 mirrored(const glm::dvec3& v) {
-  return {v.x, v.y, -v.z};
-}
 
 /// The integral of 1 / r over a panel and its gradient at a place, exact (Hess & Smith 1964; the solid angle
 /// by van Oosterom & Strackee 1983). On the panel itself: the mean of both sides.
@@ -72,26 +69,25 @@ Rankine rankine(const Panel& panel, const glm::dvec3& place, bool is_self, doubl
   return result;
 }
 
-/// Influence of sources of strength 1 on panels at the centres of all, or at their images in z = 0: 1 / r and
-/// 1 / r' with their derivatives along the normal there.
+/// Influence of sources of strength 1 on panels at the images of the centres of all: 1 / r and 1 / r' with
+/// their derivatives along the normal there.
 struct Statics {
   Matrix direct, image, direct_n, image_n;
 };
-Statics statics_of(const PanelHull& hull, bool at_images) {
+Statics statics_of(const PanelHull& hull, const glm::dvec3& image) {
   const std::vector<Panel>& panels = hull.panels;
   const auto n = static_cast<Eigen::Index>(panels.size());
   Statics s{Matrix(n, n), Matrix(n, n), Matrix(n, n), Matrix(n, n)};
   for (Eigen::Index j = 0; j < n; ++j) {
     for (Eigen::Index i = 0; i < n; ++i) {
       const Panel &from = panels[static_cast<std::size_t>(j)], &at = panels[static_cast<std::size_t>(i)];
-      const glm::dvec3 place = at_images ? mirrored(at.centre_m) : at.centre_m;
-      const glm::dvec3 normal = at_images ? mirrored(at.normal) : at.normal;
-      const Rankine direct = rankine(from, place, i == j && !at_images, 1.0);
-      const Rankine image = rankine(from, place, false, -1.0);
+      const glm::dvec3 place = image * at.centre_m, normal = image * at.normal;
+      const bool is_self = i == j && image == glm::dvec3(1.0);
+      const Rankine direct = rankine(from, place, is_self, 1.0), above = rankine(from, place, false, -1.0);
       s.direct(i, j) = direct.value;
-      s.image(i, j) = image.value;
+      s.image(i, j) = above.value;
       s.direct_n(i, j) = glm::dot(direct.gradient, normal);
-      s.image_n(i, j) = glm::dot(image.gradient, normal);
+      s.image_n(i, j) = glm::dot(above.gradient, normal);
     }
   }
   return s;
@@ -134,11 +130,10 @@ struct Influence {
 };
 
 /// Adds the waves of all panels to `influence` at one frequency.
-Influence waves_at(const PanelHull& hull, const Statics& statics, double nu, bool at_images) {
+Influence waves_at(const PanelHull& hull, const Statics& statics, double nu, const glm::dvec3& image) {
   const std::vector<Panel>& panels = hull.panels;
   const auto n = static_cast<Eigen::Index>(panels.size());
   Influence influence{ComplexMatrix(n, n), ComplexMatrix(n, n)};
-  const double side = at_images ? -1.0 : 1.0;
   const auto one = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& source) {
     const double dx = place.x - source.x, dz = place.z - source.z, r = std::sqrt(dx * dx + dz * dz);
     const double along = r > 0.0 ? (normal.x * dx + normal.z * dz) / r : 0.0;
@@ -151,7 +146,9 @@ Influence waves_at(const PanelHull& hull, const Statics& statics, double nu, boo
   for (Eigen::Index j = 0; j < n; ++j) {
     for (Eigen::Index i = 0; i <= j; ++i) {
       const Panel &a = panels[static_cast<std::size_t>(i)], &b = panels[static_cast<std::size_t>(j)];
-      const double dx = a.centre_m.x - b.centre_m.x, dz = side * a.centre_m.z - b.centre_m.z;
+      const glm::dvec3 a_place = image * a.centre_m, b_place = image * b.centre_m;
+      const glm::dvec3 a_normal = image * a.normal, b_normal = image * b.normal;
+      const double dx = a_place.x - b.centre_m.x, dz = a_place.z - b.centre_m.z;
       const double r2 = dx * dx + dz * dz, y = a.centre_m.y + b.centre_m.y;
       const double apart2 = r2 + y * y, size2 = std::max(a.area_m2, b.area_m2);
       if (apart2 < 4.0 * size2) {
@@ -160,8 +157,7 @@ Influence waves_at(const PanelHull& hull, const Statics& statics, double nu, boo
         const auto integrate = [&](Eigen::Index to, Eigen::Index from) {
           const Panel &at = panels[static_cast<std::size_t>(to)],
                       &of = panels[static_cast<std::size_t>(from)];
-          const glm::dvec3 place = at_images ? mirrored(at.centre_m) : at.centre_m;
-          const glm::dvec3 normal = at_images ? mirrored(at.normal) : at.normal;
+          const glm::dvec3 place = image * at.centre_m, normal = image * at.normal;
           const std::vector<glm::dvec3> points = points_of(of, times);
           Wave sum{};
           for (const glm::dvec3& point : points) {
@@ -177,18 +173,18 @@ Influence waves_at(const PanelHull& hull, const Statics& statics, double nu, boo
       }
       const double r = std::sqrt(r2), over_r = r > 0.0 ? 1.0 / r : 0.0;
       const WavePart part = wave_part(nu * r, -nu * y);
-      set(i, j, a.normal.y, waves_of(part, nu, a.normal, (a.normal.x * dx + side * a.normal.z * dz) * over_r),
+      set(i, j, a.normal.y, waves_of(part, nu, a_normal, (a_normal.x * dx + a_normal.z * dz) * over_r),
           b.area_m2);
       if (i == j) continue;
-      const double back_dz = side * b.centre_m.z - a.centre_m.z;
+      const double back_dx = b_place.x - a.centre_m.x, back_dz = b_place.z - a.centre_m.z;
       set(j, i, b.normal.y,
-          waves_of(part, nu, b.normal, (-b.normal.x * dx + side * b.normal.z * back_dz) * over_r), a.area_m2);
+          waves_of(part, nu, b_normal, (b_normal.x * back_dx + b_normal.z * back_dz) * over_r), a.area_m2);
     }
   }
   return influence;
 }
 
-/// One hull in its axes: what is even and odd in z is solved apart.
+/// One hull in its axes: what is even and odd across its planes of symmetry is solved apart.
 class Solver {
  public:
   Solver(const TriangleMesh& mesh, double level_m, const glm::dvec3& about_m, double density, double gravity,
@@ -198,22 +194,17 @@ class Solver {
         density_(density),
         gravity_(gravity),
         is_direct_(options.is_direct),
-        same_(statics_of(hull_, false)) {
-    if (hull_.is_mirrored) other_ = statics_of(hull_, true);
-    const auto wetted = static_cast<Eigen::Index>(hull_.wetted_count);
-    parts_ = hull_.is_mirrored ? 2 : 1;
-    for (int part = 0; part < parts_; ++part) normals_[part].setZero(all(), 6);
-    for (Eigen::Index i = 0; i < wetted; ++i) {
+        parts_(hull_.images.size()) {
+    for (const glm::dvec3& image : hull_.images) statics_.push_back(statics_of(hull_, image));
+    normals_.assign(parts_, Matrix::Zero(all(), 6));
+    for (Eigen::Index i = 0; i < wetted(); ++i) {
       const Panel& panel = hull_.panels[static_cast<std::size_t>(i)];
-      const std::array<double, 6> here = motions(panel.centre_m, panel.normal);
-      const std::array<double, 6> there = motions(mirrored(panel.centre_m), mirrored(panel.normal));
-      for (Eigen::Index m = 0; m < 6; ++m) {
-        const double a = here[static_cast<std::size_t>(m)], b = there[static_cast<std::size_t>(m)];
-        if (parts_ == 1) {
-          normals_[0](i, m) = a;
-        } else {
-          normals_[0](i, m) = 0.5 * (a + b);
-          normals_[1](i, m) = 0.5 * (a - b);
+      for (std::size_t k = 0; k < parts_; ++k) {
+        const glm::dvec3& image = hull_.images[k];
+        const std::array<double, 6> moved = motions(image * panel.centre_m, image * panel.normal);
+        for (std::size_t part = 0; part < parts_; ++part) {
+          for (Eigen::Index m = 0; m < 6; ++m)
+            normals_[part](i, m) += sign(part, k) / parts() * moved[static_cast<std::size_t>(m)];
         }
       }
     }
@@ -223,12 +214,11 @@ class Solver {
 
   HullMatrix at_infinity() const {
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-    for (int part = 0; part < parts_; ++part) {
-      Matrix value = same_.direct - same_.image, normal = same_.direct_n - same_.image_n;
-      if (parts_ == 2) {
-        const double side = part == 0 ? 1.0 : -1.0;
-        value += side * (other_.direct - other_.image);
-        normal += side * (other_.direct_n - other_.image_n);
+    for (std::size_t part = 0; part < parts_; ++part) {
+      Matrix value = Matrix::Zero(all(), all()), normal = value;
+      for (std::size_t k = 0; k < parts_; ++k) {
+        value += sign(part, k) * (statics_[k].direct - statics_[k].image);
+        normal += sign(part, k) * (statics_[k].direct_n - statics_[k].image_n);
       }
       normal.diagonal().array() -= 2.0 * pi;
       const Matrix potentials = value * normal.partialPivLu().solve(normals_[part]);
@@ -241,11 +231,10 @@ class Solver {
              HullMatrix& damping, HullWrench* excitation) const {
     const double nu = frequency * frequency / gravity_;
     const auto wave_count = static_cast<Eigen::Index>(directions.size());
-    // The derivative of the incident potential along the normal, even and odd parts, and the force of its
+    // The derivative of the incident potential along the normal, by parts, and the force of its
     // pressure, per direction. A rule of three points is exact where pressures are linear over a panel, as
     // those of long waves are: their moments hardly depend on the panels.
-    std::array<ComplexMatrix, 2> incident_n;
-    for (int part = 0; part < parts_; ++part) incident_n[part].setZero(all(), wave_count);
+    std::vector<ComplexMatrix> incident_n(parts_, ComplexMatrix::Zero(all(), wave_count));
     Eigen::Matrix<Complex, 6, Eigen::Dynamic> forces =
         Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Zero(6, wave_count);
     const Complex to_force(0.0, -frequency * density_);
@@ -254,12 +243,13 @@ class Solver {
       const double s = std::sin(directions[static_cast<std::size_t>(b)]);
       for (Eigen::Index i = 0; i < wetted(); ++i) {
         const Panel& panel = hull_.panels[static_cast<std::size_t>(i)];
-        const auto add = [&](bool is_image) {
-          const glm::dvec3 normal = is_image ? mirrored(panel.normal) : panel.normal;
+        for (std::size_t k = 0; k < parts_; ++k) {
+          const glm::dvec3& image = hull_.images[k];
+          const glm::dvec3 normal = image * panel.normal;
           Complex mean = 0.0;
           for (std::size_t corner = 0; corner < 3; ++corner) {
-            glm::dvec3 place = 0.5 * (panel.corners_m[corner] + panel.corners_m[(corner + 1) % 3]);
-            if (is_image) place = mirrored(place);
+            const glm::dvec3 place =
+                image * 0.5 * (panel.corners_m[corner] + panel.corners_m[(corner + 1) % 3]);
             const double phase = nu * ((place.x - about_.x) * c + (place.z - about_.z) * s);
             const Complex value =
                 Complex(0.0, -gravity_ / frequency) * std::polar(std::exp(nu * place.y) / 3.0, phase);
@@ -268,29 +258,22 @@ class Solver {
             for (Eigen::Index m = 0; m < 6; ++m)
               forces(m, b) += to_force * panel.area_m2 * moved[static_cast<std::size_t>(m)] * value;
           }
-          return mean * nu * Complex(normal.y, normal.x * c + normal.z * s);
-        };
-        const Complex slope = add(false);
-        if (parts_ == 1) {
-          incident_n[0](i, b) = slope;
-          continue;
+          const Complex slope = mean * nu * Complex(normal.y, normal.x * c + normal.z * s);
+          for (std::size_t part = 0; part < parts_; ++part)
+            incident_n[part](i, b) += sign(part, k) / parts() * slope;
         }
-        const Complex slope2 = add(true);
-        incident_n[0](i, b) = 0.5 * (slope + slope2);
-        incident_n[1](i, b) = 0.5 * (slope - slope2);
       }
     }
-    const Influence same = waves_at(hull_, same_, nu, false);
-    const Influence other = parts_ == 2 ? waves_at(hull_, other_, nu, true) : Influence{};
+    std::vector<Influence> waves;
+    for (std::size_t k = 0; k < parts_; ++k)
+      waves.push_back(waves_at(hull_, statics_[k], nu, hull_.images[k]));
     Eigen::Matrix<Complex, 6, 6> sum = Eigen::Matrix<Complex, 6, 6>::Zero();
-    for (int part = 0; part < parts_; ++part) {
-      ComplexMatrix value = same.value, normal = same.normal;
-      value += same_.direct + same_.image;
-      normal += same_.direct_n + same_.image_n;
-      if (parts_ == 2) {
-        const double side = part == 0 ? 1.0 : -1.0;
-        value += side * (other.value + (other_.direct + other_.image).cast<Complex>());
-        normal += side * (other.normal + (other_.direct_n + other_.image_n).cast<Complex>());
+    for (std::size_t part = 0; part < parts_; ++part) {
+      ComplexMatrix value = ComplexMatrix::Zero(all(), all()), normal = value;
+      for (std::size_t k = 0; k < parts_; ++k) {
+        const Statics& still = statics_[k];
+        value += sign(part, k) * (waves[k].value + (still.direct + still.image).cast<Complex>());
+        normal += sign(part, k) * (waves[k].normal + (still.direct_n + still.image_n).cast<Complex>());
       }
       normal.diagonal().array() -= 2.0 * pi;
       const Eigen::PartialPivLU<ComplexMatrix> inverse(normal);
@@ -325,6 +308,12 @@ class Solver {
   Eigen::Index all() const { return static_cast<Eigen::Index>(hull_.panels.size()); }
   Eigen::Index wetted() const { return static_cast<Eigen::Index>(hull_.wetted_count); }
 
+  double parts() const { return static_cast<double>(parts_); }
+  /// Of a part at an image: both count the planes across which they are odd, or lie, in bits.
+  static double sign(std::size_t part, std::size_t image) {
+    return std::popcount(part & image) % 2 == 0 ? 1.0 : -1.0;
+  }
+
   std::array<double, 6> motions(const glm::dvec3& place, const glm::dvec3& normal) const {
     const glm::dvec3 moment = glm::cross(place - about_, normal);
     return {normal.x, normal.y, normal.z, moment.x, moment.y, moment.z};
@@ -334,11 +323,11 @@ class Solver {
   Eigen::VectorXd areas() const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(all());
     for (Eigen::Index i = 0; i < wetted(); ++i) {
-      result[i] = parts_ * hull_.panels[static_cast<std::size_t>(i)].area_m2;
+      result[i] = parts() * hull_.panels[static_cast<std::size_t>(i)].area_m2;
     }
     return result;
   }
-  Matrix weighted(int part) const { return areas().asDiagonal() * normals_[part]; }
+  Matrix weighted(std::size_t part) const { return areas().asDiagonal() * normals_[part]; }
 
   template <typename Sum>
   static HullMatrix symmetric(const Sum& sum) {
@@ -355,9 +344,9 @@ class Solver {
   glm::dvec3 about_;
   double density_, gravity_;
   bool is_direct_;
-  int parts_ = 1;
-  Statics same_, other_;
-  std::array<Matrix, 2> normals_;  // [panel][motion]
+  std::size_t parts_;             // of what is even or odd in each plane of symmetry: as many as images
+  std::vector<Statics> statics_;  // [image]
+  std::vector<Matrix> normals_;   // [part][panel][motion]
 };
 
 /// The place among rising values: the interval and, within it, 0 ... 1.

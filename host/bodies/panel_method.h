@@ -14,7 +14,7 @@
 namespace offing::bodies {
 
 struct PanelOptions {
-  std::size_t panels = 360;      ///< of the wetted hull, about
+  std::size_t panels = 270;      ///< of the wetted hull, as panel_hull() has them
   std::size_t frequencies = 24;  ///< at least 2
   int threads = 0;               ///< 0: as many as there are processors
   /// Damping from pressures and excitation from the diffracted waves, rather than both by Haskind's relation,

@@ -104,15 +104,16 @@ int main(int count, char** arguments) {
                                 {"roll", std::abs(beam[3])}});
   }
   // Triangles from the water line down, from the mass centre, in axes x forward, y to port, z up.
-  const bodies::PanelHull fine = bodies::panel_hull(given.mesh, level_m, name == "coaster" ? 1800 : 900);
+  const bodies::PanelHull fine = bodies::panel_hull(given.mesh, level_m, name == "coaster" ? 1300 : 450);
   out["centre_below_m"] = level_m - centre.y;
   for (std::size_t i = 0; i < fine.wetted_count; ++i) {
-    for (const double side : fine.is_mirrored ? std::vector{1.0, -1.0} : std::vector{1.0}) {
+    for (const glm::dvec3& image : fine.images) {
+      const bool is_turned = image.x * image.z < 0.0;
       json triangle;
       for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3& corner = fine.panels[i].corners_m[side > 0.0 ? k : 2 - k];
-        triangle.push_back({corner.x + fine.origin_m.x - centre.x,
-                            -(side * corner.z + fine.origin_m.z - centre.z), corner.y});
+        const glm::dvec3 corner =
+            image * fine.panels[i].corners_m[is_turned ? 2 - k : k] + fine.origin_m - centre;
+        triangle.push_back({corner.x, -corner.z, corner.y + centre.y - fine.origin_m.y});
       }
       out["triangles"].push_back(triangle);
     }
