@@ -11,6 +11,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/bodies/hull.h"
+#include "host/bodies/hull_lift.h"
 #include "host/bodies/radiation.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
@@ -67,10 +68,27 @@ BodyShape device_shape(const FloatingBody& body) {
           .rudder_z_m = f(rudder.z),
           .rudder_area_m2 = f(body.drive.rudder_area_m2),
           .rudder_lift = f(body.drive.rudder_lift),
+          .lift_share = 0.0f,
+          .lift_x_m = 0.0f,
+          .lift_y_m = 0.0f,
+          .lift_force_by_sway = 0.0f,
+          .lift_force_by_yaw = 0.0f,
+          .lift_moment_by_sway = 0.0f,
+          .lift_moment_by_yaw = 0.0f,
           .first_memory_float = 0,
           .memory_samples = 0,
           .steps_a_sample = 1,
           .first_velocity_float = 0};
+}
+
+void set_lift(const HullLift& lift, BodyShape& shape) {
+  shape.lift_share = static_cast<float>(lift.share);
+  shape.lift_x_m = static_cast<float>(lift.arm_m.x);
+  shape.lift_y_m = static_cast<float>(lift.arm_m.y);
+  shape.lift_force_by_sway = static_cast<float>(lift.force_by_sway_m2);
+  shape.lift_force_by_yaw = static_cast<float>(lift.force_by_yaw_m3);
+  shape.lift_moment_by_sway = static_cast<float>(lift.moment_by_sway_m3);
+  shape.lift_moment_by_yaw = static_cast<float>(lift.moment_by_yaw_m4);
 }
 
 void append(const HullMatrix& matrix, std::vector<float>& floats) {
@@ -109,6 +127,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
     for (const TriangleIndices& face : body.hull.faces) {
       for (const std::uint32_t corner : face) faces.push_back(first + corner);
     }
+    HullMatrix added_mass{};
     if (body.hydrodynamics) {
       const HullMemory made =
           memory_of_hull(*body.hydrodynamics, body.mass_centre_m, shape.length_m, steps_per_s);
@@ -116,10 +135,12 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
       shape.memory_samples = static_cast<int>(made.memory.size());
       shape.steps_a_sample = made.steps_a_sample;
       shape.first_velocity_float = static_cast<int>(velocities);
+      added_mass = made.added_mass;
       append(made.added_mass, memories);
       for (const HullMatrix& matrix : made.memory) append(matrix, memories);
       velocities += BODY_MOTIONS * made.memory.size();
     }
+    set_lift(lift_of_hull(body, water.density_kgpm3, added_mass), shape);
     host_shapes_.push_back(shape);
   }
   vertices_ = owners.size();

@@ -10,6 +10,7 @@
 // height' = v_y - v_x slope_x - v_z slope_z. Each wetted part of a face has
 //  - the pressure of the water above it, density * gravity * depth, integrated in closed form;
 //  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
+//  - (of the whole hull) a sway force and a yaw moment while it runs ahead, as those of a wing (Clarke et al. 1983);
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
 // A body with a memory moves by Cummins' equation: (M + A) a + C(v) v + sum of K v' = force, in body axes, C being the
 // Coriolis terms of both masses (Fossen 2011, section 6.3), by Cayley's step, which keeps energy. Added mass and
@@ -20,6 +21,11 @@
 #include "bodies/turn.clh"
 #include "shared/bodies.h"
 #include "shared/query_params.h"
+
+// Of a rudder behind a hull and a propeller (Yasukawa & Yoshimura 2015, table 4: kappa, eta, gamma).
+#define RUDDER_RACE_GROWTH 0.5f
+#define RUDDER_RACE_SHARE 0.63f
+#define RUDDER_STRAIGHTENED 0.65f
 
 // The part of a triangle that is under water, where depth is linear over the triangle: integrals in closed form.
 typedef struct {
@@ -123,8 +129,13 @@ static float friction_coefficient(float reynolds) {
   return 0.075f / (digits * digits);
 }
 
+// Drag of a face by its speed across, per density * area.
+static float form_drag(const BodyShape* shape, float across) {
+  return 0.5f * (across > 0.0f ? shape->face_drag : shape->wake_drag) * fabs(across) * across;
+}
+
 // What the water does to a face, added to `sum`.
-static void add_face(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float friction,
+static void add_face(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float3 forward, float friction,
                      const float3* arm, const float* depth, float3 flow, Wrench* sum) {
   const float3 twice = cross(arm[1] - arm[0], arm[2] - arm[0]);
   const float area = 0.5f * length(twice);
@@ -142,14 +153,42 @@ static void add_face(const BodyShape* shape, const BodyWater* water, float3 velo
   const float across = dot(speed, normal);
   const float3 along = speed - across * normal;
   const float density_area = water->density_kgpm3 * part.area;
-  const float form = 0.5f * (across > 0.0f ? shape->face_drag : shape->wake_drag) * fabs(across);
-  float3 drag = -density_area * (form * across * normal + 0.5f * friction * length(along) * along);
+  // Squares of a sum have a side force in proportion to drift. A long hull has that of add_lift() instead, so that its
+  // cross-flow drags as if it did not run ahead: (a|a| + b|b|)(a + b) >= 0 does no work on it either.
+  const float ahead = dot(speed, forward) * dot(forward, normal);
+  const float form = mix(form_drag(shape, across), form_drag(shape, ahead) + form_drag(shape, across - ahead),
+                         shape->lift_share);
+  float3 drag = -density_area * (form * normal + 0.5f * friction * length(along) * along);
   drag.y -= density_area * fmax(0.0f, -normal.y) * shape->wave_damping * sqrt(water->gravity_mps2 * shape->length_m) *
             speed.y;
   sum->drag += drag;
   sum->drag_moment += cross(middle, drag);
   sum->wetted += part.area;
   sum->flow += part.area * flow;
+}
+
+// Of water, by the force that it lifts with.
+static float displaced_by(const BodyWater* water, const Wrench* wrench) {
+  return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
+}
+
+// Sway force and yaw moment of a hull that runs ahead, added to the drag of `sum`; they fade like added mass.
+static void add_lift(const BodyShape* shape, const BodyWater* water, const Motion* motion, Wrench* sum) {
+  if (!(sum->wetted > 0.0f)) return;
+  const float3 forward = turned(motion->turn, (float3)(1.0f, 0.0f, 0.0f));
+  const float3 starboard = turned(motion->turn, (float3)(0.0f, 0.0f, 1.0f));
+  const float3 arm = turned(motion->turn, (float3)(shape->lift_x_m, shape->lift_y_m, 0.0f));
+  const float3 speed =
+      motion->velocity + cross(turned(motion->turn, motion->spin), arm) - sum->flow / sum->wetted;
+  const float ahead = dot(speed, forward), sway = dot(speed, starboard), yaw = motion->spin.y;
+  const float density =
+      water->density_kgpm3 * clamp(2.0f * water->density_kgpm3 * displaced_by(water, sum) / shape->mass_kg, 0.0f, 1.0f);
+  const float3 side =
+      -density * (fabs(ahead) * shape->lift_force_by_sway * sway + ahead * shape->lift_force_by_yaw * yaw) * starboard;
+  const float turning =
+      -density * (ahead * shape->lift_moment_by_sway * sway + fabs(ahead) * shape->lift_moment_by_yaw * yaw);
+  sum->drag += side;
+  sum->drag_moment += cross(arm, side) + turned(motion->turn, (float3)(0.0f, turning, 0.0f));
 }
 
 // Thrust and rudder, in world axes.
@@ -165,20 +204,25 @@ static void add_drive(const BodyShape* shape, const BodyWater* water, const Body
   const float3 rudder = turned(motion->turn, (float3)(shape->rudder_x_m, shape->rudder_y_m, shape->rudder_z_m));
   const float3 speed = motion->velocity + cross(turned(motion->turn, motion->spin), rudder) - flow;
   const float ahead = dot(speed, forward);
-  // The propeller's race behind its disc, by the theory of momentum: its dynamic pressure rises by thrust / disc area.
-  const float race = 8.0f * fmax(thrust, 0.0f) / (M_PI_F * diameter * diameter * water->density_kgpm3);
-  const float along = sqrt(ahead * ahead + race);
+  // The propeller's race, by the theory of momentum: half of its growth at the rudder, over 0.63 of it (Yasukawa &
+  // Yoshimura 2015).
+  const float fast = sqrt(ahead * ahead + 8.0f * fmax(thrust, 0.0f) / (M_PI_F * diameter * diameter * water->density_kgpm3));
+  const float race = fabs(ahead) + RUDDER_RACE_GROWTH * (fast - fabs(ahead));
+  const float along = sqrt(mix(ahead * ahead, race * race, RUDDER_RACE_SHARE));
   const float immersed = clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f);
   const float lift_by_speed =
       0.5f * water->density_kgpm3 * shape->rudder_area_m2 * shape->rudder_lift * along * immersed;
-  // What a sideways push at the rudder moves there: 1 / kg.
-  const float3 lever = turned_back(motion->turn, cross(rudder, starboard));
+  // What a push across the rudder moves there: 1 / kg.
+  const float3 across = cos(drive->rudder_rad) * starboard + sin(drive->rudder_rad) * forward;
+  const float3 lever = turned_back(motion->turn, cross(rudder, across));
   const float yielding = 1.0f / shape->mass_kg + dot(lever, inverse_inertia_times(shape, lever));
-  const float lift = -lift_by_speed * (copysign(along, ahead + race) * sin(drive->rudder_rad) + dot(speed, starboard)) /
-                     (1.0f + water->step_s * lift_by_speed * yielding);
-  const float3 side = lift * starboard;
-  *force += side;
-  *moment += cross(rudder, side);
+  // The hull straightens the flow to the rudder. Its force stands across the blade.
+  const float ahead_sign = ahead + fast > 0.0f ? 1.0f : -1.0f;
+  const float attack = ahead_sign * along * sin(drive->rudder_rad) +
+                       RUDDER_STRAIGHTENED * dot(speed, starboard) * cos(drive->rudder_rad);
+  const float3 push = -lift_by_speed * attack / (1.0f + water->step_s * lift_by_speed * yielding) * across;
+  *force += push;
+  *moment += cross(rudder, push);
 }
 
 static void follow_path(const BodyDrive* drive, const BodyState* origin, Motion* motion) {
@@ -193,11 +237,6 @@ static void follow_path(const BodyDrive* drive, const BodyState* origin, Motion*
   float3 spin = turned(motion->turn, motion->spin);
   spin.y = -drive->heading_rate_radps;
   motion->spin = turned_back(motion->turn, spin);
-}
-
-// Of water, by the force that it lifts with.
-static float displaced_by(const BodyWater* water, const Wrench* wrench) {
-  return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
 }
 
 typedef struct {
@@ -450,7 +489,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     }
     pasts[lane] = past_part;
     const float time_s = (float)step * water.step_s;
-    const float3 spin = turned(motion.turn, motion.spin);
+    const float3 spin = turned(motion.turn, motion.spin), forward = turned(motion.turn, (float3)(1.0f, 0.0f, 0.0f));
     const float friction = friction_coefficient(length(motion.velocity) * shape.length_m / water.viscosity_m2ps);
     Wrench sum;
     clear(&sum);
@@ -464,7 +503,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
         depth[corner] = depth_of(&origin, motion.place, arm[corner], points[vertex], &sample, time_s);
         flow += surface_velocity(&sample) / 3.0f;
       }
-      add_face(&shape, &water, motion.velocity, spin, friction, arm, depth, flow, &sum);
+      add_face(&shape, &water, motion.velocity, spin, forward, friction, arm, depth, flow, &sum);
     }
     sums[lane] = sum;
     for (int kept = GROUP / 2; kept > 0; kept /= 2) {
@@ -480,7 +519,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       }
     }
     if (lane == 0) {
-      const Wrench total = sums[0];
+      Wrench total = sums[0];
+      add_lift(&shape, &water, &motion, &total);
       const Motions past = pasts[0];
       Motions radiation;
       set_motions((float3)(0.0f), (float3)(0.0f), &radiation);

@@ -40,6 +40,9 @@ typedef struct {
   float propeller_diameter_m;
   float rudder_x_m, rudder_y_m, rudder_z_m, rudder_area_m2;
   float rudder_lift;    // lift coefficient's rise with the angle, 1/rad
+  // Sway force and yaw moment of a hull that runs ahead (host/bodies/hull_lift.h), at a place from the mass centre. Faces
+  // drag by their speed across with and without that ahead: this share of it apart.
+  float lift_share, lift_x_m, lift_y_m, lift_force_by_sway, lift_force_by_yaw, lift_moment_by_sway, lift_moment_by_yaw;
   // What the waves that it has made do to it: BODY_MATRIX floats of added mass, then as many for each of
   // memory_samples samples of its velocity, steps_a_sample sub-steps apart, the first one now. No samples: none.
   int first_memory_float, memory_samples, steps_a_sample;
@@ -99,7 +102,7 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
 static_assert(sizeof(BodyState) == 64, "no padding");
-static_assert(sizeof(BodyShape) == 128, "no padding");
+static_assert(sizeof(BodyShape) == 156, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
 static_assert(sizeof(BodyReport) == 80, "no padding");
 static_assert(sizeof(BodyWater) == 24, "no padding");

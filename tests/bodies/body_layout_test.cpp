@@ -24,9 +24,10 @@ TEST(BodyLayoutTest, BodyState) {
 TEST(BodyLayoutTest, BodyShape) {
   using S = BodyShape;
   EXPECT_EQ(on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping",
-                                    "rudder_lift", "first_velocity_float"}),
+                                    "rudder_lift", "lift_moment_by_yaw", "first_velocity_float"}),
             (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
-                    offsetof(S, wave_damping), offsetof(S, rudder_lift), offsetof(S, first_velocity_float)}));
+                    offsetof(S, wave_damping), offsetof(S, rudder_lift), offsetof(S, lift_moment_by_yaw),
+                    offsetof(S, first_velocity_float)}));
 }
 
 TEST(BodyLayoutTest, BodyDrive) {
