@@ -104,7 +104,8 @@ const offing::clouds::CloudImage& drawn_clouds(OffingWorld& world, const offing:
               .order = clouds.order(),
               .count = clouds.count(),
               .origin_m = clouds.sky_origin_m(),
-              .sun_direction = {x, y, z}},
+              .sun_direction = {x, y, z},
+              .resolved = clouds.resolved()},
              camera);
   return image;
 }

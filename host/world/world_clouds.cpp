@@ -115,7 +115,7 @@ enum SeenBy : std::size_t { eye, mirror_image, seen_by_count };
 
 struct WorldClouds::Sky {
   explicit Sky(const ocl::Device& on)
-      : device(on), particle_light(on), orders{SeenOrder(on), SeenOrder(on)} {}
+      : device(on), particle_light(on), resolved(on), orders{SeenOrder(on), SeenOrder(on)} {}
 
   /// Whether they were elsewhere.
   bool place(double time_s, Placed& placed) const {
@@ -141,6 +141,7 @@ struct WorldClouds::Sky {
     lit_by.clear();
     has_shadow = false;
     box.reset();
+    resolved.clear();
     forget_sent_light();
   }
 
@@ -186,6 +187,8 @@ struct WorldClouds::Sky {
     of.eye_m = eye_m;
   }
 
+  bool is_resolved() const { return parameters.light_model == clouds::LightModel::calibrated; }
+
   glm::dvec3 from_lit_m(const glm::dvec3& eye_m) const { return eye_m - origin_m - carried_m; }
 
   ocl::Device device;
@@ -200,6 +203,7 @@ struct WorldClouds::Sky {
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
+  clouds::ResolvedClouds resolved;  // of `lit`
   std::array<SentLight, seen_by_count> lights;    // to each of them
   std::array<SeenOrder, seen_by_count> orders;    // from each of them
   SeenBy light_of = eye, order_of = eye;          // what the last see() or see_mirrored() chose
@@ -313,6 +317,11 @@ void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
   sky.forget_light();
   sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
   sky.forget_orders();
+  if (sky.is_resolved()) {
+    sky.resolved.set(sky.lit.particles, sky.particle_light);
+  } else {
+    sky.resolved.clear();
+  }
 }
 
 void WorldClouds::light(const clouds::CloudIllumination& of_all) {
@@ -325,6 +334,7 @@ void WorldClouds::see(const Camera& camera) {
   sky.light_of = sky.order_of = eye;
   sky.send(sky.from_lit_m(camera.eye_m), sky.lights[eye]);
   sky.sort(camera.eye_m, sky.orders[eye]);
+  sky.resolved.resolve(camera, sky.origin_m + sky.carried_m);
 }
 
 void WorldClouds::see_mirrored(const Camera& mirrored) {
@@ -336,6 +346,7 @@ void WorldClouds::see_mirrored(const Camera& mirrored) {
   sky.order_of = mirror_image;
   sky.send(sky.light_of == eye ? eye_m : image_m, sky.lights[sky.light_of]);
   sky.sort(mirrored.eye_m, sky.orders[mirror_image]);
+  sky.resolved.resolve(mirrored, sky.origin_m + sky.carried_m);
 }
 
 std::span<const clouds::CloudIllumination> WorldClouds::illumination() const {
@@ -392,6 +403,9 @@ const ocl::Buffer<CloudSprite>& WorldClouds::sprites() const {
 }
 const ocl::Buffer<std::uint32_t>& WorldClouds::order() const {
   return sky_->orders[sky_->order_of].order.order();
+}
+clouds::ResolvedClouds* WorldClouds::resolved() const {
+  return sky_->is_resolved() ? &sky_->resolved : nullptr;
 }
 glm::dvec3 WorldClouds::sky_origin_m() const {
   return sky_->shown_origin_m();

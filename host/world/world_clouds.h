@@ -9,6 +9,7 @@
 
 #include "host/base/camera.h"
 #include "host/clouds/light/cloud_shadow_map.h"
+#include "host/clouds/light/resolved_clouds.h"
 #include "host/clouds/shape/cloud_parameters.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
@@ -100,6 +101,8 @@ class WorldClouds {
   const ocl::Buffer<CloudSprite>& sprites() const;
   /// [count()], indices of particles, the farthest from the eye first.
   const ocl::Buffer<std::uint32_t>& order() const;
+  /// What is marched of them; nullptr where the light's model is not the calibrated one.
+  clouds::ResolvedClouds* resolved() const;
   /// In the world: what the particles' places are relative to. Where they lag behind it drifts with them;
   /// else it changes with set() only, multiples of 1024 m.
   glm::dvec3 sky_origin_m() const;

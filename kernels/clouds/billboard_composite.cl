@@ -9,15 +9,9 @@
 // Billboards are gathered in layers, each shared linearly between the two that it lies between, and all of a layer
 // is mixed: so a picture changes steadily as billboards pass each other, whatever their order, and lets exactly as
 // much light through as all of them do one by one.
-#include "shared/cloud_image_params.h"
+#include "clouds/march/pixel_rays.clh"
 #include "shared/clouds.h"
 #include "simd/lane_exponents.clh"
-
-// Unit rays from the eye, and how far along them the scene begins.
-typedef struct {
-  lanes x, y, z;
-  lanes scene_m;
-} BillboardRays;
 
 // What a billboard does along rays: its optical depth, and its light over that of its sprite.
 typedef struct {
@@ -105,7 +99,7 @@ INLINE lanes patterned(BillboardTexel texel, lanes mean) {
 }
 
 // Whether any of the rays meets the billboard.
-INLINE bool see_billboard(__global const uint* textures, const CloudBillboard* billboard, BillboardRays rays,
+INLINE bool see_billboard(__global const uint* textures, const CloudBillboard* billboard, PixelRays rays,
                          BillboardSeen* seen) {
   const float per_m = 1.0f / billboard->radius_m;
   const lanes along = fma((lanes)billboard->x, rays.x, fma((lanes)billboard->y, rays.y, billboard->z * rays.z));
@@ -139,29 +133,30 @@ INLINE bool see_billboard(__global const uint* textures, const CloudBillboard* b
 // Pixels that let less through, half a step of 8 bits, are taken as full of what they have shown.
 #define LEAST_THROUGH 2e-3f
 
-// Pixels side by side: a block of the picture, whose rays meet the same particles and texels.
-#if LANES == 1
-#define BLOCK_PX 1
-#define BLOCK_COLUMN 0
-#define BLOCK_ROW 0
-#else
-#define BLOCK_PX 4
-#define BLOCK_COLUMN (int_lanes)(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3)
-#define BLOCK_ROW (int_lanes)(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3)
-#endif
-
 // Sums over billboards of optical depth, and of that times light.
 typedef struct {
   lanes depth, red, green, blue;
 } Layer;
 
-typedef struct {
-  lanes red, green, blue, distance_m;
-  lanes through;  // of what lies behind
-} Sight;
+// Puts what was marched, at its mean distance, behind what is seen so far, where a layer is beyond it; once.
+INLINE void put_marched(Sight* marched, lanes beyond_m, Sight* sight) {
+  const int_lanes here = mask_of(marched->distance_m <= beyond_m);
+  if (!any_lane(here & mask_of(marched->through < 1.0f))) return;
+  const lanes share = select((lanes)0.0f, sight->through, here);
+  sight->red = fma(share, marched->red, sight->red);
+  sight->green = fma(share, marched->green, sight->green);
+  sight->blue = fma(share, marched->blue, sight->blue);
+  sight->distance_m = fma(share * (1.0f - marched->through), marched->distance_m, sight->distance_m);
+  sight->through = select(sight->through, sight->through * marched->through, here);
+  marched->red = select(marched->red, (lanes)0.0f, here);
+  marched->green = select(marched->green, (lanes)0.0f, here);
+  marched->blue = select(marched->blue, (lanes)0.0f, here);
+  marched->through = select(marched->through, (lanes)1.0f, here);
+}
 
 // Puts a layer behind what is seen so far, and empties it.
-INLINE void close_layer(Layer* layer, float distance_m, Sight* sight) {
+INLINE void close_layer(Layer* layer, float distance_m, Sight* marched, Sight* sight) {
+  put_marched(marched, (lanes)distance_m, sight);
   const lanes through = sight->through * exp_of(-layer->depth);
   const lanes opacity = sight->through - through;
   const lanes mean = opacity / most(layer->depth, (lanes)1e-20f);
@@ -197,7 +192,7 @@ INLINE void fill(Sight* sight) {
 }
 
 INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const uint* list, int seen_count,
-                          __global const uint* textures, BillboardRays rays, float farthest_m) {
+                          __global const uint* textures, PixelRays rays, float farthest_m, Sight* marched) {
   Sight sight = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
   Layer here = {0.0f, 0.0f, 0.0f, 0.0f}, next = {0.0f, 0.0f, 0.0f, 0.0f};
   int index = 0;
@@ -209,12 +204,12 @@ INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const 
     if (!see_billboard(textures, &billboard, rays, &seen)) continue;
     const int nearer = max((int)billboard.layer, index);
     if (nearer > index) {
-      close_layer(&here, layer_m, &sight);
+      close_layer(&here, layer_m, marched, &sight);
       if (nearer == index + 1) {
         here = next;
         next.depth = next.red = next.green = next.blue = 0.0f;
       } else {
-        close_layer(&next, behind(layer_m), &sight);
+        close_layer(&next, behind(layer_m), marched, &sight);
       }
       index = nearer;
       layer_m = billboard.layer_m;
@@ -228,8 +223,9 @@ INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const 
     add_to(&here, &billboard, seen, 1.0f - share);
     add_to(&next, &billboard, seen, share);
   }
-  close_layer(&here, layer_m, &sight);
-  close_layer(&next, behind(layer_m), &sight);
+  close_layer(&here, layer_m, marched, &sight);
+  close_layer(&next, behind(layer_m), marched, &sight);
+  put_marched(marched, (lanes)INFINITY, &sight);
   return sight;
 }
 
@@ -244,57 +240,12 @@ INLINE float farthest_of(lanes scene_m) {
 #endif
 }
 
-INLINE BillboardRays rays_of(CloudImageParams params, lanes column, lanes row, lanes scene_depth) {
-  const lanes across = ((column + 0.5f) * (2.0f / (float)params.width_px) - 1.0f) * params.half_width;
-  const lanes above = ((row + 0.5f) * (2.0f / (float)params.height_px) - 1.0f) * params.half_height;
-  const lanes scale = 1.0f / sqrt(fma(across, across, fma(above, above, (lanes)1.0f)));
-  const BillboardRays rays = {
-      scale * fma(across, (lanes)params.right_x, fma(above, (lanes)params.up_x, (lanes)params.forward_x)),
-      scale * fma(across, (lanes)params.right_y, fma(above, (lanes)params.up_y, (lanes)params.forward_y)),
-      scale * fma(across, (lanes)params.right_z, fma(above, (lanes)params.up_z, (lanes)params.forward_z)),
-      params.near_m / (scene_depth * scale)};
-  return rays;
-}
-
-// Puts the pixels of a block whose corner this is where they belong, those within the picture.
-INLINE void write_block(Sight sight, int column, int row, CloudImageParams params,
-                            __global float* restrict image, __global float* restrict distance_m) {
-  const lanes opacity = 1.0f - sight.through;
-  const lanes mean_m = sight.distance_m / most(opacity, (lanes)1e-20f);
-  const int begin = row * params.width_px + column;
-#if LANES == 1
-  store_interleaved_4(sight.red, sight.green, sight.blue, opacity, image + 4 * (size_t)begin);
-  distance_m[begin] = mean_m;
-#else
-  const lanes low_rb = interleave_low(sight.red, sight.blue), high_rb = interleave_high(sight.red, sight.blue);
-  const lanes low_ga = interleave_low(sight.green, opacity), high_ga = interleave_high(sight.green, opacity);
-  const lanes texels[BLOCK_PX] = {interleave_low(low_rb, low_ga), interleave_high(low_rb, low_ga),
-                                  interleave_low(high_rb, high_ga), interleave_high(high_rb, high_ga)};
-  const float4 distances[BLOCK_PX] = {mean_m.lo.lo, mean_m.lo.hi, mean_m.hi.lo, mean_m.hi.hi};
-  const int columns = min(BLOCK_PX, params.width_px - column), rows = min(BLOCK_PX, params.height_px - row);
-  for (int y = 0; y < rows; ++y) {
-    const int place = begin + y * params.width_px;
-    if (columns == BLOCK_PX) {
-      store_lanes(texels[y], image + 4 * (size_t)place);
-      vstore4(distances[y], 0, distance_m + place);
-      continue;
-    }
-    float values[4 * BLOCK_PX], row_m[BLOCK_PX];
-    store_lanes(texels[y], values);
-    vstore4(distances[y], 0, row_m);
-    for (int x = 0; x < columns; ++x) {
-      vstore4(vload4(x, values), 0, image + 4 * (size_t)(place + x));
-      distance_m[place + x] = row_m[x];
-    }
-  }
-#endif
-}
-
 __kernel void billboard_composite(__global const CloudBillboard* restrict billboards, __global const int* restrict first,
                              __global const int* restrict seen, __global const uint* restrict list,
                              __global const uint* restrict textures,
-                             __global const float* restrict scene_depth, CloudImageParams params,
-                             __global float* restrict image, __global float* restrict distance_m) {
+                             __global const float* restrict scene_depth, int has_marched,
+                             __global const float* restrict marched, __global const float* restrict marched_m,
+                             CloudImageParams params, __global float* restrict image, __global float* restrict distance_m) {
 #if LANES == 1
   const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
   if (left >= params.width_px || bottom >= params.height_px) return;
@@ -312,9 +263,18 @@ __kernel void billboard_composite(__global const CloudBillboard* restrict billbo
       const int_lanes columns = up_to(column + BLOCK_COLUMN, params.width_px - 1);
       const int_lanes rows = up_to(row + BLOCK_ROW, params.height_px - 1);
       const lanes depth = gathered(scene_depth, rows * params.width_px + columns);
-      const BillboardRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), depth);
-      const Sight sight =
-          sight_of(billboards, list + first[tile], seen[tile], textures, rays, farthest_of(rays.scene_m));
+      const PixelRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), depth);
+      Sight marched_here = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
+      if (has_marched) {
+        const int_lanes place = rows * params.width_px + columns;
+        marched_here.red = gathered(marched, 4 * place);
+        marched_here.green = gathered(marched + 1, 4 * place);
+        marched_here.blue = gathered(marched + 2, 4 * place);
+        marched_here.distance_m = gathered(marched_m, place);
+        marched_here.through = 1.0f - gathered(marched + 3, 4 * place);
+      }
+      const Sight sight = sight_of(billboards, list + first[tile], seen[tile], textures, rays, farthest_of(rays.scene_m),
+                                   &marched_here);
       write_block(sight, column, row, params, image, distance_m);
     }
   }

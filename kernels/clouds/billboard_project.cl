@@ -1,5 +1,6 @@
 // Particles of clouds as a camera sees them: nearest first, with the boxes of pixels that they may cover.
-// In:  particles [count], sprites [count], order [count] indices of both, the farthest first.
+// In:  particles [count], sprites [count], order [count] indices of both, the farthest first; of each cloud the share that
+//      billboards show.
 // Out: billboards [count], the nearest first, of those that are seen; boxes [4][box_pitch] px: the left, right, lower
 //      and upper edges, an empty one where nothing of the particle is seen. Row 0 is at the bottom.
 #include "shared/cloud_image_params.h"
@@ -27,7 +28,8 @@ static inline float2 ball_edges(float across, float ahead, float radius) {
 
 __kernel void billboard_project(__global const CloudParticle* restrict particles,
                            __global const CloudSprite* restrict sprites, __global const uint* restrict order,
-                           CloudImageParams params, __global CloudBillboard* restrict billboards,
+                           int has_shares, __global const float* restrict shares, CloudImageParams params,
+                           __global CloudBillboard* restrict billboards,
                            __global float* restrict boxes) {
   const int place = (int)get_global_id(0);
   __global float *left = boxes + place, *right = left + params.box_pitch;
@@ -39,7 +41,8 @@ __kernel void billboard_project(__global const CloudParticle* restrict particles
   if (place >= params.count) return;
   const uint index = order[params.count - 1 - place];
   const CloudParticle particle = particles[index];
-  const CloudSprite sprite = sprites[index];
+  CloudSprite sprite = sprites[index];
+  if (has_shares) sprite.optical_depth *= shares[particle.cloud];
   const float3 forward = (float3)(params.forward_x, params.forward_y, params.forward_z);
   const float3 rightward = (float3)(params.right_x, params.right_y, params.right_z);
   const float3 upward = (float3)(params.up_x, params.up_y, params.up_z);

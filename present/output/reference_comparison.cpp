@@ -111,7 +111,8 @@ LightImage drawn_clouds(const ocl::Device& device, const scene::Scene& scene, co
                 .order = view.order(),
                 .count = view.count(),
                 .origin_m = view.sky_origin_m(),
-                .sun_direction = {x, y, z}},
+                .sun_direction = {x, y, z},
+                .resolved = view.resolved()},
                camera);
   const auto image = picture.image().read();
   const auto width = static_cast<std::size_t>(camera.width_px);

@@ -32,7 +32,8 @@ double covered_share(world::World& world, const Camera& camera) {
                 .sprites = clouds.sprites(),
                 .order = clouds.order(),
                 .count = clouds.count(),
-                .origin_m = clouds.sky_origin_m()},
+                .origin_m = clouds.sky_origin_m(),
+                .resolved = clouds.resolved()},
                camera);
   const auto image = picture.image().read();
   const auto covered =

@@ -77,7 +77,8 @@ CloudImage::CloudImage(const ocl::Device& device, const BillboardTextures& textu
                             .kernel("billboard_composite")),
       textures_(device, textures.texels, "billboard textures"),
       used_(device, 1, "cloud tiles"),
-      list_(device, first_list_entries, "cloud tiles") {}
+      list_(device, first_list_entries, "cloud tiles"),
+      no_shares_(device, 1, "shares of clouds") {}
 
 void CloudImage::set_textures(const BillboardTextures& textures) {
   textures_.write(textures.texels);
@@ -92,6 +93,8 @@ void CloudImage::fit(int width_px, int height_px) {
   scene_depth_.fill(0.0f);
   image_ = ocl::Buffer<std::array<float, 4>>(device_, pixels, "picture of clouds");
   distance_ = ocl::Buffer<float>(device_, pixels, "distances of clouds");
+  marched_ = ocl::Buffer<std::array<float, 4>>(device_, pixels, "picture of marched clouds");
+  marched_distance_ = ocl::Buffer<float>(device_, pixels, "distances of marched clouds");
   first_ = ocl::Buffer<std::int32_t>(device_, tiles, "cloud tiles");
   seen_ = ocl::Buffer<std::int32_t>(device_, tiles, "cloud tiles");
   width_px_ = width_px;
@@ -121,9 +124,15 @@ void CloudImage::draw(const DrawnParticles& drawn, const Camera& camera) {
   fit_particles(std::max(drawn.count, 1u));
   const int box_pitch = static_cast<int>((drawn.count + CLOUD_BOX_PAD - 1) / CLOUD_BOX_PAD * CLOUD_BOX_PAD);
   const CloudImageParams params = device_params(drawn, camera, box_pitch);
+  const ocl::LaunchShape picture = composite_shape(params, composite_tuning_);
+  const bool has_marched = drawn.resolved != nullptr && drawn.resolved->has_any();
+  if (has_marched)
+    drawn.resolved->march(picture, params, camera.eye_m, scene_depth_, marched_, marched_distance_);
   if (drawn.count > 0) {
     project_kernel_.launch({{static_cast<std::size_t>(box_pitch)}}, drawn.particles, drawn.sprites,
-                           drawn.order, params, billboards_, boxes_);
+                           drawn.order, static_cast<int>(has_marched),
+                           has_marched ? drawn.resolved->billboard_shares() : no_shares_, params, billboards_,
+                           boxes_);
   }
   const std::size_t group = tiles_tuning_.group;
   const ocl::LaunchShape tiles{{(first_.size() + group - 1) / group * group}, {group}};
@@ -141,8 +150,9 @@ void CloudImage::draw(const DrawnParticles& drawn, const Camera& camera) {
     }
     list_ = ocl::Buffer<std::uint32_t>(device_, std::min(2 * used, most_list_entries), "cloud tiles");
   }
-  composite_kernel_.launch(composite_shape(params, composite_tuning_), billboards_, first_, seen_, list_,
-                           textures_, scene_depth_, params, image_, distance_);
+  composite_kernel_.launch(picture, billboards_, first_, seen_, list_, textures_, scene_depth_,
+                           static_cast<int>(has_marched), marched_, marched_distance_, params, image_,
+                           distance_);
 }
 
 }  // namespace offing::clouds

@@ -7,6 +7,7 @@
 
 #include "host/base/camera.h"
 #include "host/clouds/image/billboard_textures.h"
+#include "host/clouds/light/resolved_clouds.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
@@ -25,6 +26,7 @@ struct DrawnParticles {
   glm::dvec3 origin_m{0.0};                 ///< of their places, in the world
   glm::dvec3 sun_direction{0.0, 1.0, 0.0};  ///< unit, toward it: from where the relief of textures is lit
   double near_m = 0.05;                     ///< of CloudImage::scene_depth()
+  ResolvedClouds* resolved = nullptr;       ///< for this camera; nullptr: all are shown as billboards
 };
 
 /// What a camera sees of the particles of clouds, made on a device: billboards that face the eye (C9), with
@@ -70,8 +72,8 @@ class CloudImage {
   ocl::Buffer<float> boxes_;  // [4][padded count] px
   ocl::Buffer<std::int32_t> first_, seen_, used_;
   ocl::Buffer<std::uint32_t> list_;
-  ocl::Buffer<float> scene_depth_, distance_;
-  ocl::Buffer<std::array<float, 4>> image_;
+  ocl::Buffer<float> scene_depth_, distance_, marched_distance_, no_shares_;
+  ocl::Buffer<std::array<float, 4>> image_, marched_;
 };
 
 }  // namespace offing::clouds

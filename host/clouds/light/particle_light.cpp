@@ -13,7 +13,6 @@
 #include "host/base/error.h"
 #include "host/clouds/light/phase_function.h"
 #include "host/clouds/light/phase_table.h"
-#include "host/ocl/program.h"
 
 namespace offing::clouds {
 namespace {
@@ -23,8 +22,7 @@ namespace {
 // FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes
 // (tests/clouds/light_accuracy_test.cpp), and to slabs (particle_light_test.cpp).
 
-// Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
-constexpr int cells = 16384;
+constexpr std::size_t cells = light_grid_cells;
 constexpr std::size_t plane_cells = cells / CLOUD_LEAST_CELLS;
 // A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
 // read beyond.
@@ -41,9 +39,7 @@ constexpr std::size_t recurrence_texels = CLOUD_HARRIS_SIZE * CLOUD_HARRIS_SIZE;
 
 ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel,
                   const ocl::KernelTuning& tuning) {
-  ocl::Defines defines;
-  defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells));
-  defines.set("MEDIUM_CELLS", static_cast<long long>(medium_cells));
+  ocl::Defines defines = light_grid_defines();
   defines.set("GROUP_SIZE", static_cast<long long>(tuning.group)).set("LANES", tuning.lanes);
   return ocl::Program::build(device, source, defines).kernel(kernel);
 }
@@ -80,6 +76,13 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
 }
 
 }  // namespace
+
+ocl::Defines light_grid_defines() {
+  ocl::Defines defines;
+  defines.set("CELLS", static_cast<long long>(cells)).set("LEVEL_CELLS", static_cast<long long>(level_cells));
+  defines.set("MEDIUM_CELLS", static_cast<long long>(medium_cells));
+  return defines;
+}
 
 ParticleLight::ParticleLight(const ocl::Device& device)
     : device_(device),

@@ -12,6 +12,7 @@
 #include "host/clouds/shape/cloud_parameters.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 #include "kernels/shared/cloud_light_params.h"
 #include "kernels/shared/clouds.h"
@@ -21,6 +22,23 @@ namespace offing::clouds {
 /// Along the axes of the particles, m.
 struct CloudBox {
   glm::vec3 low_m, high_m;
+};
+
+/// Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
+constexpr std::size_t light_grid_cells = 16384;
+/// What sources with kernels/clouds/light_grid.clh need, but for GROUP_SIZE and LANES.
+ocl::Defines light_grid_defines();
+
+/// On the device, of the last relight() by the calibrated model: what the headers of kernels/clouds/light_*.cl
+/// say.
+struct LightFields {
+  const ocl::Buffer<CloudGrid>& grids;
+  const ocl::Buffer<CloudScattering>& looks;
+  const ocl::Buffer<CloudLightParams>& lights;
+  const ocl::Buffer<float>&phases, &absorption, &entries;
+  const ocl::Buffer<std::array<float, 4>>&glow, &drift;
+  std::size_t clouds;
+  int suns, channels;
 };
 
 /// Whether all particles have the albedo of their cloud's look, or some another.
@@ -54,6 +72,12 @@ class ParticleLight {
 
   /// Waits for the box around the particles of the last relight(); nothing where there are none.
   std::optional<CloudBox> box() const;
+
+  /// Valid until the next relight().
+  LightFields fields() const {
+    return {grids_, looks_,  lights_, phases_, absorption_, entries_, glow_, drift_, known_looks_.size(),
+            suns_,  channels_};
+  }
 
   /// One of several parts of all particles, about as many in each.
   struct Part {

@@ -105,7 +105,8 @@ clouds::DrawnParticles drawn_clouds(const world::World& world) {
           .count = clouds.count(),
           .origin_m = clouds.sky_origin_m(),
           .sun_direction = {x, y, z},
-          .near_m = near_m};
+          .near_m = near_m,
+          .resolved = clouds.resolved()};
 }
 
 }  // namespace offing::present

@@ -1,0 +1,194 @@
+#include "host/clouds/light/resolved_clouds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/ocl/program.h"
+
+namespace offing::clouds {
+namespace {
+
+// Edges of cells of the light's grid, px, between which marching takes over from billboards.
+constexpr double billboards_px = 1.5, marched_px = 2.5;
+// Clouds that are marched at most: the largest on the screen.
+constexpr std::size_t most_volumes = 16;
+
+int rounded_up(double cells, int step) {
+  return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
+}
+
+/// Without slot and share.
+CloudMarchVolume volume_of(const CloudGrid& grid, int cloud) {
+  const glm::dvec3 box_m = glm::dvec3(grid.size_x, grid.size_y, grid.size_z) *
+                           glm::dvec3(grid.cell_x, grid.cell_y, grid.cell_z);
+  CloudMarchVolume volume{
+      .low_x = grid.low_x, .low_y = grid.low_y, .low_z = grid.low_z, .cell_m = 0, .size_x = 0, .size_y = 0,
+      .size_z = 0, .cloud = cloud, .slot = 0, .share = 0};
+  for (double cell_m = std::cbrt(box_m.x * box_m.y * box_m.z / CLOUD_MARCH_CELLS);; cell_m *= 1.02) {
+    volume.cell_m = static_cast<float>(cell_m);
+    volume.size_x = rounded_up(box_m.x / cell_m, CLOUD_MARCH_ROW);
+    volume.size_y = rounded_up(box_m.y / cell_m, CLOUD_MARCH_BLOCK);
+    volume.size_z = rounded_up(box_m.z / cell_m, CLOUD_MARCH_BLOCK);
+    if (std::int64_t{volume.size_x} * volume.size_y * volume.size_z <= CLOUD_MARCH_CELLS) return volume;
+  }
+}
+
+struct Wanted {
+  int cloud;
+  double edge_px, distance_m;
+};
+
+double smooth(double low, double high, double value) {
+  const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace
+
+ResolvedClouds::ResolvedClouds(const ocl::Device& device)
+    : device_(device),
+      density_tuning_(ocl::tuning_for(device.info(), "light_density")),
+      cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
+      group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
+      picture_tuning_(ocl::tuning_for(device.info(), "billboard_composite")),
+      density_kernel_(ocl::Program::build(device, "clouds/march/march_density.cl",
+                                          ocl::Defines().set("LANES", density_tuning_.lanes))
+                          .kernel("march_density")),
+      blocks_kernel_(ocl::Program::build(device, "clouds/march/march_blocks.cl").kernel("march_blocks")),
+      beam_kernel_(ocl::Program::build(device, "clouds/march/march_beam.cl",
+                                       light_grid_defines()
+                                           .set("GROUP_SIZE", static_cast<long long>(group_tuning_.group))
+                                           .set("LANES", group_tuning_.lanes))
+                       .kernel("march_beam")) {}
+
+ResolvedClouds::Kernels& ResolvedClouds::kernels() {
+  const int channels = light_->fields().channels;
+  std::optional<Kernels>& kernels = kernels_[channels == 1 ? 0 : 1];
+  if (!kernels) {
+    const auto built = [&](const char* source, const char* kernel, int lanes) {
+      return ocl::Program::build(device_, source,
+                                 light_grid_defines()
+                                     .set("CHANNELS", channels)
+                                     .set("GROUP_SIZE", 1)
+                                     .set("LANES", lanes))
+          .kernel(kernel);
+    };
+    kernels = {built("clouds/march/march_source.cl", "march_source", cell_tuning_.lanes),
+               built("clouds/march/cloud_march.cl", "cloud_march", picture_tuning_.lanes)};
+  }
+  return *kernels;
+}
+
+void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const ParticleLight& light) {
+  particles_ = &particles;
+  light_ = &light;
+  boxes_ = light.fields().grids.read();
+  boxes_.resize(light.fields().clouds);
+  for (Slot& slot : slots_) slot.cloud.reset();
+}
+
+void ResolvedClouds::reserve(std::size_t slots) {
+  const auto suns = static_cast<std::size_t>(light_->fields().suns),
+             vectors = light_->fields().channels == 1 ? std::size_t{1} : std::size_t{2};
+  bool is_new = false;
+  const auto fit = [&](auto& buffer, std::size_t size, const char* name) {
+    if (size <= buffer.size()) return;
+    buffer = std::decay_t<decltype(buffer)>(device_, size, name);
+    is_new = true;
+  };
+  fit(density_, slots * CLOUD_MARCH_CELLS, "density of marched clouds");
+  fit(depths_, slots * std::max<std::size_t>(suns, 1) * CLOUD_MARCH_CELLS, "sunlight in marched clouds");
+  fit(blocks_, slots * CLOUD_MARCH_BLOCKS, "blocks of marched clouds");
+  fit(volumes_buffer_, slots, "marched clouds");
+  if (sources_.size() < slots * vectors * light_grid_cells)
+    sources_ = ocl::Buffer<std::array<float, 4>>(device_, slots * vectors * light_grid_cells, "light of marched clouds");
+  slots_.resize(std::max(slots_.size(), slots));
+  if (!is_new) return;
+  for (Slot& slot : slots_) slot.cloud.reset();
+}
+
+void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
+  volumes_.clear();
+  origin_m_ = origin_m;
+  const glm::dvec3 eye_m = camera.eye_m - origin_m;
+  const double px_a_tangent = 0.5 * camera.height_px / half_extent(camera).y;
+  std::vector<Wanted> wanted;
+  for (std::size_t cloud = 0; cloud < boxes_.size(); ++cloud) {
+    const CloudGrid& grid = boxes_[cloud];
+    if (grid.first == grid.end) continue;
+    const glm::dvec3 low_m(grid.low_x, grid.low_y, grid.low_z),
+        cell_m(grid.cell_x, grid.cell_y, grid.cell_z);
+    const glm::dvec3 size(grid.size_x, grid.size_y, grid.size_z), middle_m = low_m + 0.5 * size * cell_m;
+    const double distance_m = glm::distance(eye_m, middle_m);
+    const double edge_m = std::cbrt(cell_m.x * cell_m.y * cell_m.z);
+    const double nearest_m = glm::distance(eye_m, glm::clamp(eye_m, low_m, low_m + size * cell_m));
+    const double edge_px = px_a_tangent * edge_m / std::max(nearest_m, edge_m);
+    if (edge_px > billboards_px) wanted.push_back({static_cast<int>(cloud), edge_px, distance_m});
+  }
+  std::sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) { return a.edge_px > b.edge_px; });
+  // Of more clouds than there are volumes, the smallest fade as others grow beyond them.
+  const double least_px = wanted.size() > most_volumes ? std::max(billboards_px, wanted[most_volumes].edge_px) : billboards_px;
+  wanted.resize(std::min(wanted.size(), most_volumes));
+  std::vector<float> shares(boxes_.size(), 1.0f);
+  if (!wanted.empty()) reserve(std::min(boxes_.size(), most_volumes));
+  for (Slot& slot : slots_) slot.is_wanted = false;
+  for (const Wanted& one : wanted) {
+    for (Slot& slot : slots_)
+      if (slot.cloud == one.cloud) slot.is_wanted = true;
+  }
+  std::vector<std::pair<double, CloudMarchVolume>> sorted;
+  for (const Wanted& one : wanted) {
+    CloudMarchVolume volume = volume_of(boxes_[static_cast<std::size_t>(one.cloud)], one.cloud);
+    volume.share = static_cast<float>(smooth(least_px, least_px * marched_px / billboards_px, one.edge_px));
+    auto slot = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.cloud == one.cloud; });
+    const bool is_made = slot != slots_.end();
+    if (!is_made) slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.is_wanted; });
+    volume.slot = static_cast<int>(slot - slots_.begin());
+    if (!is_made) {
+      make(volume);
+      *slot = {.cloud = one.cloud, .is_wanted = true};
+    }
+    shares[static_cast<std::size_t>(one.cloud)] = 1.0f - volume.share;
+    sorted.emplace_back(one.distance_m, volume);
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [distance_m, volume] : sorted) volumes_.push_back(volume);
+  if (!volumes_.empty()) volumes_buffer_.write(volumes_);
+  if (shares_held_ == shares) return;
+  if (shares_.size() < shares.size()) shares_ = ocl::Buffer<float>(device_, shares.size(), "shares of clouds");
+  shares_.write(shares);
+  shares_held_ = std::move(shares);
+}
+
+void ResolvedClouds::make(const CloudMarchVolume& volume) {
+  const LightFields light = light_->fields();
+  const CloudGrid& grid = boxes_[static_cast<std::size_t>(volume.cloud)];
+  const auto planes = static_cast<std::size_t>(volume.size_z);
+  density_kernel_.launch({{planes}}, *particles_, grid.first, grid.end, volume, density_);
+  constexpr int block = CLOUD_MARCH_BLOCK;
+  const auto blocks = static_cast<std::size_t>(volume.size_x / block * (volume.size_y / block) * (volume.size_z / block));
+  blocks_kernel_.launch({{blocks}}, volume, density_, blocks_);
+  if (light.suns == 0) return;
+  beam_kernel_.launch({{static_cast<std::size_t>(light.suns) * group_tuning_.group}, {group_tuning_.group}},
+                      volume, density_, light.grids, light.looks, light.lights, light.entries,
+                      static_cast<int>(light.clouds), light.channels, depths_);
+}
+
+void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams params, const glm::dvec3& eye_m,
+                           const ocl::Buffer<float>& scene_depth, ocl::Buffer<std::array<float, 4>>& image,
+                           ocl::Buffer<float>& distance_m) {
+  const LightFields light = light_->fields();
+  const glm::vec3 eye(eye_m - origin_m_);
+  params.eye_x_m = eye.x, params.eye_y_m = eye.y, params.eye_z_m = eye.z;
+  kernels().source.launch(ocl::launch_shape(cell_tuning_, light_grid_cells, volumes_.size()), volumes_buffer_,
+                          light.grids, light.absorption, light.glow, light.drift, eye.x, eye.y, eye.z,
+                          sources_);
+  kernels().march.launch(shape, volumes_buffer_, static_cast<int>(volumes_.size()), density_, depths_,
+                         blocks_, sources_, light.grids, light.looks, light.lights, light.phases, scene_depth,
+                         params, image, distance_m);
+}
+
+}  // namespace offing::clouds

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/base/camera.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
+#include "kernels/shared/cloud_image_params.h"
+#include "kernels/shared/cloud_march.h"
+
+namespace offing::clouds {
+
+/// The density of clouds that are large on the screen, and the sunlight in it, in cells of some 25 m: so that
+/// pictures march along lines of sight and see the light between billows, where particles would show one
+/// light each (kernels/clouds/march). A cloud is marched where cells of its light's grid are large, and shown
+/// as billboards where they are small; in between it is shown as both, each with a share of its density.
+///
+/// A volume takes 1 MB of the device, and 1 MB more for each sun.
+class ResolvedClouds {
+ public:
+  explicit ResolvedClouds(const ocl::Device& device);
+
+  /// From now on these particles are resolved, in this light, by the calibrated model. Waits for the light's
+  /// boxes. Keeps references to both.
+  void set(const ocl::Buffer<CloudParticle>& particles, const ParticleLight& light);
+  /// From now on nothing is.
+  void clear() {
+    boxes_.clear();
+    volumes_.clear();
+  }
+
+  /// Queues what a camera needs of them. origin_m: of the particles' places, in the world.
+  void resolve(const Camera& camera, const glm::dvec3& origin_m);
+
+  // Of the last resolve().
+
+  bool has_any() const { return !volumes_.empty(); }
+  /// [clouds]: of each cloud, the share that billboards show.
+  const ocl::Buffer<float>& billboard_shares() const { return shares_; }
+  /// Queues the picture of what is marched: image, RGBA premultiplied, kcd/m2, and mean distances, both of
+  /// the size of `params`. `shape` is that of kernels of pictures (billboard_composite).
+  void march(const ocl::LaunchShape& shape, CloudImageParams params, const glm::dvec3& eye_m,
+             const ocl::Buffer<float>& scene_depth, ocl::Buffer<std::array<float, 4>>& image,
+             ocl::Buffer<float>& distance_m);
+
+ private:
+  /// What depends on whether clouds have colours.
+  struct Kernels {
+    ocl::Kernel source, march;
+  };
+  struct Slot {
+    std::optional<int> cloud;  // whose volume it holds
+    bool is_wanted = false;
+  };
+
+  Kernels& kernels();
+  void reserve(std::size_t slots);
+  void make(const CloudMarchVolume& volume);
+
+  ocl::Device device_;
+  ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, picture_tuning_;
+  ocl::Kernel density_kernel_, blocks_kernel_, beam_kernel_;
+  std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
+  const ocl::Buffer<CloudParticle>* particles_ = nullptr;
+  const ParticleLight* light_ = nullptr;
+  std::vector<CloudGrid> boxes_;  // of the light, one a cloud; empty: nothing is resolved
+  std::vector<Slot> slots_;
+  std::vector<CloudMarchVolume> volumes_;  // the nearest first
+  std::vector<float> shares_held_;         // as shares_ has them
+  glm::dvec3 origin_m_{0.0};
+  ocl::Buffer<CloudMarchVolume> volumes_buffer_;
+  ocl::Buffer<float> shares_, density_, depths_;
+  ocl::Buffer<std::int32_t> blocks_;
+  ocl::Buffer<std::array<float, 4>> sources_;
+};
+
+}  // namespace offing::clouds

@@ -1,0 +1,245 @@
+// The picture of clouds that are large on the screen: along the ray of each pixel, what each piece of the way scatters toward
+// the eye, in the delta-scaled medium (kernels/clouds/light_grid.clh): suns' light that comes straight from them, with the
+// phase of the whole way (phase tables), and what was scattered before, of sources. Sky that is only scattered nearly
+// forward is seen too: the scaled medium lets more of it through than the true one.
+// In:  volumes [volume_count], the nearest first; of kernels/clouds/march density, depths, blocks and sources; grids, looks,
+//      lights, phases; the camera, with places in the axes of the volumes; scene_depth as billboard_composite.cl has it.
+// Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], of their mean. Row 0 is at the bottom.
+#include "clouds/march/march_source.clh"
+#include "clouds/march/pixel_rays.clh"
+#include "simd/lane_exponents.clh"
+
+// Longest piece in optical depths of the scaled medium, and shortest in cells.
+#define PIECE_DEPTH 0.4f
+#define LEAST_PIECE 0.25f
+// What lies behind this little of the scaled light is not looked at.
+#define LEAST_KEPT 4e-3f
+// Directions this near to level see sky and ground, mixed.
+#define LEVEL_SINE 0.05f
+
+// Where values between the middles of cells are sampled.
+typedef struct {
+  int_lanes first;
+  lanes x, y, z;  // weights of the next ones
+  int row, plane;
+} Trilinear;
+
+INLINE Trilinear trilinear_at(lanes x, lanes y, lanes z, int size_x, int size_y, int size_z) {
+  // Beyond the middles of the outer cells all is as there.
+  const lanes at_x = least(most(x - 0.5f, (lanes)0.0f), (lanes)((float)size_x - 1.001f));
+  const lanes at_y = least(most(y - 0.5f, (lanes)0.0f), (lanes)((float)size_y - 1.001f));
+  const lanes at_z = least(most(z - 0.5f, (lanes)0.0f), (lanes)((float)size_z - 1.001f));
+  const int_lanes i = convert_int_lanes(at_x), j = convert_int_lanes(at_y), k = convert_int_lanes(at_z);
+  const Trilinear at = {(k * size_y + j) * size_x + i, at_x - convert_lanes(i), at_y - convert_lanes(j),
+                        at_z - convert_lanes(k),       size_x,                  size_x * size_y};
+  return at;
+}
+
+INLINE lanes mixed(lanes a, lanes b, lanes share) { return fma(share, b - a, a); }
+
+// Of values `pitch` apart.
+INLINE lanes sampled(__global const float *restrict values, int pitch, Trilinear at) {
+  const int_lanes first = pitch * at.first;
+  const int row = pitch * at.row, plane = pitch * at.plane;
+  const lanes low = mixed(mixed(gathered(values, first), gathered(values + pitch, first), at.x),
+                          mixed(gathered(values + row, first), gathered(values + row + pitch, first), at.x), at.y);
+  values += plane;
+  const lanes high = mixed(mixed(gathered(values, first), gathered(values + pitch, first), at.x),
+                           mixed(gathered(values + row, first), gathered(values + row + pitch, first), at.x), at.y);
+  return mixed(low, high, at.z);
+}
+
+// 1/sr, at a place of a table's rows and after a way of this depth (clouds/phase.clh).
+INLINE lanes phase_of(__global const float *restrict table, lanes angle_place, lanes depth) {
+  const lanes u = depth / (depth + CLOUD_PHASE_DEPTH_SCALE) * (float)CLOUD_PHASE_DEPTHS;
+  const int_lanes row = up_to(convert_int_lanes(u), CLOUD_PHASE_DEPTHS - 2);
+  const int_lanes column = up_to(convert_int_lanes(angle_place), CLOUD_PHASE_ANGLES - 2);
+  const lanes down = least(u - convert_lanes(row), (lanes)1.0f), right = angle_place - convert_lanes(column);
+  const int_lanes first = row * CLOUD_PHASE_ANGLES + column;
+  return mixed(mixed(gathered(table, first), gathered(table + 1, first), right),
+               mixed(gathered(table + CLOUD_PHASE_ANGLES, first), gathered(table + CLOUD_PHASE_ANGLES + 1, first), right), down);
+}
+
+// Along an axis, the distances at which rays enter and leave, given how far the walls are, in metres.
+INLINE void clip(lanes direction, float low_m, float high_m, lanes *enter, lanes *leave) {
+  const lanes safe = select(direction, (lanes)1e-12f, mask_of(fabs(direction) < 1e-12f));
+  const lanes a = low_m / safe, b = high_m / safe;
+  *enter = most(*enter, least(a, b));
+  *leave = least(*leave, most(a, b));
+}
+
+// How far along an axis the block ends in which a place lies, in cells of the way.
+INLINE lanes to_edge(lanes place, lanes speed) {
+  const lanes edge = (float)CLOUD_MARCH_BLOCK, inside = place - edge * floor(place / edge);
+  const lanes left = select(inside, edge - inside, mask_of(speed > 0.0f));
+  return left / most(fabs(speed), (lanes)1e-12f);
+}
+
+// What has been seen of clouds: light of the scaled medium of each colour, and depth of the true one.
+typedef struct {
+  lanes red, green, blue, distance_m;
+  lanes kept[CHANNELS];
+  lanes depth;
+} March;
+
+INLINE lanes most_kept(const March *march) {
+#if CHANNELS == 1
+  return march->kept[0];
+#else
+  return most(march->kept[0], most(march->kept[1], march->kept[2]));
+#endif
+}
+
+typedef struct {
+  __global const float *density, *depths, *phases;
+  __global const int *blocks;
+  __global const float *sources;
+} MarchedArrays;
+
+// Goes through a volume. `arrays` are those of its slot.
+INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, const CloudScattering look,
+                          __global const CloudLightParams *restrict light, MarchedArrays arrays, CloudImageParams params,
+                          PixelRays rays, March *march) {
+  const float low_x = volume.low_x - params.eye_x_m, low_y = volume.low_y - params.eye_y_m,
+              low_z = volume.low_z - params.eye_z_m;
+  lanes enter = 0.0f, leave = rays.scene_m;
+  clip(rays.x, low_x, low_x + (float)volume.size_x * volume.cell_m, &enter, &leave);
+  clip(rays.y, low_y, low_y + (float)volume.size_y * volume.cell_m, &enter, &leave);
+  clip(rays.z, low_z, low_z + (float)volume.size_z * volume.cell_m, &enter, &leave);
+  int_lanes goes_on = mask_of(enter < leave) & mask_of(most_kept(march) > LEAST_KEPT);
+  if (!any_lane(goes_on)) return;
+
+  lanes angle_places[CLOUD_SUNS];
+  for (int sun = 0; sun < light->sun_count; ++sun) {
+    const CloudLightSource from = light->suns[sun];
+    // As phase_angle_place(): light goes along -from, and on to the eye along -ray.
+    const lanes cosine = fma(rays.x, (lanes)from.x, fma(rays.y, (lanes)from.y, rays.z * from.z));
+    angle_places[sun] = sqrt(acos(clamp(cosine, (lanes)-1.0f, (lanes)1.0f)) / 3.14159265f) * (float)(CLOUD_PHASE_ANGLES - 1);
+  }
+  const float a_cell = 1.0f / volume.cell_m;
+  const lanes speed_x = a_cell * rays.x, speed_y = a_cell * rays.y, speed_z = a_cell * rays.z;
+  const int block_columns = volume.size_x / CLOUD_MARCH_BLOCK, block_rows = volume.size_y / CLOUD_MARCH_BLOCK;
+  const int block_planes = volume.size_z / CLOUD_MARCH_BLOCK;
+  const float3 own_cell = grid_cell(grid);  // of the light's grid
+  lanes way = enter, rough = PIECE_DEPTH * a_cell;
+  // A ray crosses no more blocks and no more pieces of cells than these.
+  const int most_pieces = 8 * (volume.size_x + volume.size_y + volume.size_z);
+  for (int number = 0; number < most_pieces; ++number) {
+    const lanes x = fma(way, speed_x, (lanes)(-a_cell * low_x)), y = fma(way, speed_y, (lanes)(-a_cell * low_y)),
+                z = fma(way, speed_z, (lanes)(-a_cell * low_z));
+    const lanes an_edge = 1.0f / (float)CLOUD_MARCH_BLOCK;
+    const int_lanes block = (up_to(convert_int_lanes(floor(z * an_edge)), block_planes - 1) * block_rows +
+                             up_to(convert_int_lanes(floor(y * an_edge)), block_rows - 1)) * block_columns +
+                            up_to(convert_int_lanes(floor(x * an_edge)), block_columns - 1);
+    const int_lanes holds = -gathered_ints(arrays.blocks, block) & goes_on;
+    const lanes past = least(least(to_edge(x, speed_x), to_edge(y, speed_y)), to_edge(z, speed_z)) + 0.01f * volume.cell_m;
+    const lanes longest = volume.cell_m;
+    lanes piece = least(most(PIECE_DEPTH / rough, LEAST_PIECE * longest), longest);
+    piece = least(select(past, piece, holds), leave - way);
+    if (any_lane(holds)) {
+      const lanes half_piece = 0.5f * piece;
+      const Trilinear at = trilinear_at(fma(half_piece, speed_x, x), fma(half_piece, speed_y, y), fma(half_piece, speed_z, z), volume.size_x,
+                                        volume.size_y, volume.size_z);
+      const lanes extinction = select((lanes)0.0f, volume.share * sampled(arrays.density, 1, at), holds);
+      if (any_lane(mask_of(extinction > 0.0f))) {
+        const lanes middle = way + half_piece;
+        const Trilinear in_grid = trilinear_at(
+            fma(middle, rays.x, (lanes)(params.eye_x_m - grid.low_x)) / own_cell.x,
+            fma(middle, rays.y, (lanes)(params.eye_y_m - grid.low_y)) / own_cell.y,
+            fma(middle, rays.z, (lanes)(params.eye_z_m - grid.low_z)) / own_cell.z, grid.size_x, grid.size_y, grid.size_z);
+        const int pitch = 4 * SOURCE_VECTORS;
+        lanes shown[3], albedo[CHANNELS], scaled[CHANNELS], lit[CHANNELS];
+        for (int colour = 0; colour < 3; ++colour) shown[colour] = sampled(arrays.sources + colour, pitch, in_grid);
+        for (int channel = 0; channel < CHANNELS; ++channel) {
+#if CHANNELS == 1
+          albedo[channel] = 1.0f - look.absorbed_share;
+#else
+          albedo[channel] = sampled(arrays.sources + 4 + channel, pitch, in_grid);
+#endif
+          scaled[channel] = 1.0f - look.forward_share * albedo[channel];
+        }
+        const lanes eye_depth = fma(extinction, half_piece, march->depth);
+        for (int sun = 0; sun < light->sun_count; ++sun) {
+          const lanes sun_depth = sampled(arrays.depths + sun * CLOUD_MARCH_CELLS, 1, at);
+          for (int channel = 0; channel < CHANNELS; ++channel)
+            lit[channel] = exp_of(-sun_depth * scaled[channel]) *
+                           phase_of(arrays.phases, angle_places[sun], albedo[channel] * (eye_depth + sun_depth));
+          shown[0] = fma(lit[0], (lanes)light->suns[sun].red, shown[0]);
+          shown[1] = fma(lit[CHANNELS / 2], (lanes)light->suns[sun].green, shown[1]);
+          shown[2] = fma(lit[CHANNELS - 1], (lanes)light->suns[sun].blue, shown[2]);
+        }
+        const lanes depth = extinction * piece;
+        lanes given[CHANNELS];
+        for (int channel = 0; channel < CHANNELS; ++channel) {
+          const lanes through = exp_of(-depth * scaled[channel]);
+          given[channel] = march->kept[channel] * (1.0f - through) * albedo[channel] / scaled[channel];
+          march->kept[channel] *= through;
+        }
+        march->red = fma(given[0], shown[0], march->red);
+        march->green = fma(given[CHANNELS / 2], shown[1], march->green);
+        march->blue = fma(given[CHANNELS - 1], shown[2], march->blue);
+        march->distance_m =
+            fma(exp_of(-march->depth) - exp_of(-march->depth - depth), middle, march->distance_m);
+        march->depth += depth;
+        rough = select(rough, most(extinction * scaled[0], (lanes)1e-6f), holds);
+      } else {
+        rough = select(rough, (lanes)1e-6f, holds);
+      }
+    }
+    way += select((lanes)0.0f, piece, goes_on);
+    goes_on &= mask_of(way < leave) & mask_of(most_kept(march) > LEAST_KEPT);
+    if (!any_lane(goes_on)) return;
+  }
+}
+
+__kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int volume_count,
+                          __global const float *restrict density, __global const float *restrict depths,
+                          __global const int *restrict blocks, __global const float *restrict sources,
+                          __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
+                          __global const CloudLightParams *restrict lights, __global const float *restrict phases,
+                          __global const float *restrict scene_depth, CloudImageParams params,
+                          __global float *restrict image, __global float *restrict distance_m) {
+#if LANES == 1
+  const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
+  if (left >= params.width_px || bottom >= params.height_px) return;
+#else
+  const int tile = (int)get_global_id(0);
+  const int left = tile % params.tile_columns * CLOUD_TILE_PX;
+  const int bottom = tile / params.tile_columns * CLOUD_TILE_PX;
+  const int right = min(left + CLOUD_TILE_PX, params.width_px);
+  const int top = min(bottom + CLOUD_TILE_PX, params.height_px);
+#endif
+  for (int row = bottom; row < top; row += BLOCK_PX) {
+    for (int column = left; column < right; column += BLOCK_PX) {
+      const int_lanes columns = up_to(column + BLOCK_COLUMN, params.width_px - 1);
+      const int_lanes rows = up_to(row + BLOCK_ROW, params.height_px - 1);
+      const lanes scene = gathered(scene_depth, rows * params.width_px + columns);
+      const PixelRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), scene);
+      March march;
+      march.red = march.green = march.blue = march.distance_m = march.depth = 0.0f;
+      for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
+      for (int i = 0; i < volume_count; ++i) {
+        const CloudMarchVolume volume = volumes[i];
+        const size_t slot = volume.slot;
+        const CloudScattering look = looks[volume.cloud];
+        __global const CloudLightParams *light = lights + volume.cloud;
+        const MarchedArrays arrays = {
+            density + slot * CLOUD_MARCH_CELLS, depths + slot * light->sun_count * CLOUD_MARCH_CELLS,
+            phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
+            blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
+        march_through(volume, grids[volume.cloud], look, light, arrays, params, rays, &march);
+      }
+      Sight sight = {march.red, march.green, march.blue, march.distance_m, exp_of(-march.depth)};
+      if (any_lane(mask_of(march.depth > 0.0f))) {
+        const CloudLightParams light = lights[volumes[0].cloud];
+        const lanes up = clamp(fma(rays.y, (lanes)(0.5f / LEVEL_SINE), (lanes)0.5f), (lanes)0.0f, (lanes)1.0f);
+        sight.red = fma(march.kept[0] - sight.through, mixed((lanes)light.ground_red, (lanes)light.sky_red, up), sight.red);
+        sight.green = fma(march.kept[CHANNELS / 2] - sight.through,
+                          mixed((lanes)light.ground_green, (lanes)light.sky_green, up), sight.green);
+        sight.blue = fma(march.kept[CHANNELS - 1] - sight.through,
+                         mixed((lanes)light.ground_blue, (lanes)light.sky_blue, up), sight.blue);
+      }
+      write_block(sight, column, row, params, image, distance_m);
+    }
+  }
+}

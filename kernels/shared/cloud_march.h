@@ -1,0 +1,26 @@
+// Clouds that are marched along the line of sight, one layout for host and device: 4-byte scalars only.
+#ifndef OFFING_KERNELS_SHARED_CLOUD_MARCH_H
+#define OFFING_KERNELS_SHARED_CLOUD_MARCH_H
+
+// Room for the cells of a volume; those along x are a multiple of CLOUD_MARCH_ROW, those along y and z of
+// CLOUD_MARCH_BLOCK, the edge of the blocks of which is known whether they hold anything.
+#define CLOUD_MARCH_CELLS 262144
+#define CLOUD_MARCH_ROW 16
+#define CLOUD_MARCH_BLOCK 4
+#define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
+
+// The density of a cloud in cells of a cube's shape.
+typedef struct {
+  float low_x, low_y, low_z;   // m, its least corner, in the axes of the particles
+  float cell_m;                // edge of a cell
+  int size_x, size_y, size_z;  // cells along each axis
+  int cloud;                   // whose it is
+  int slot;                    // where its cells lie in arrays
+  float share;                 // of the cloud that is marched, 0 ... 1; billboards show the rest
+} CloudMarchVolume;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(CloudMarchVolume) == 40, "no padding");
+#endif
+
+#endif
