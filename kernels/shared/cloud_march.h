@@ -4,23 +4,35 @@
 
 // Room for the cells of a volume; those along x are a multiple of CLOUD_MARCH_ROW, those along y and z of
 // CLOUD_MARCH_BLOCK, the edge of the blocks of which is known whether they hold anything.
-#define CLOUD_MARCH_CELLS 262144
+#define CLOUD_MARCH_CELLS 524288
 #define CLOUD_MARCH_ROW 16
 #define CLOUD_MARCH_BLOCK 4
 #define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
 
-// The density of a cloud in cells of a cube's shape.
+// The particles of a cloud between planes across the axes of its volume.
 typedef struct {
-  float low_x, low_y, low_z;   // m, its least corner, in the axes of the particles
-  float cell_m;                // edge of a cell
-  int size_x, size_y, size_z;  // cells along each axis
-  int cloud;                   // whose it is
-  int slot;                    // where its cells lie in arrays
-  float share;                 // of the cloud that is marched, 0 ... 1; billboards show the rest
+  float low_x, low_y, low_z, high_x, high_y, high_z;  // m, along these axes
+  int first, end;                                     // of its particles; equal: it has none
+  float edge_m;                                       // of a cell of its light's grid
+} CloudMarchBounds;
+
+// The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that light goes from
+// cell to cell.
+typedef struct {
+  float right_x, right_y, right_z;  // unit: the volume's x in the axes of the particles
+  float up_x, up_y, up_z;           // unit, its y
+  float sun_x, sun_y, sun_z;        // unit, its z: toward the first sun
+  float low_x, low_y, low_z;        // m, its least corner, along these axes from the particles' origin
+  float cell_m;                     // edge of a cell
+  int size_x, size_y, size_z;       // cells along each axis
+  int cloud;                        // whose it is
+  int slot;                         // where its cells lie in arrays
+  float share;                      // of the cloud that is marched, 0 ... 1; billboards show the rest
 } CloudMarchVolume;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(CloudMarchVolume) == 40, "no padding");
+static_assert(sizeof(CloudMarchBounds) == 36, "no padding");
+static_assert(sizeof(CloudMarchVolume) == 76, "no padding");
 #endif
 
 #endif

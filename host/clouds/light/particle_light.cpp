@@ -275,6 +275,13 @@ void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::
                             looks_, phases_, way.x, way.y, way.z, recurrence_map_, reached_);
 }
 
+glm::dvec3 ParticleLight::first_sun() const {
+  if (suns_ == 0) return {0.0, 1.0, 0.0};
+  // Clouds differ in how bright it is.
+  const CloudLightSource& sun = packed_lights_.front().suns[0];
+  return glm::normalize(glm::dvec3(sun.x, sun.y, sun.z));
+}
+
 std::optional<CloudBox> ParticleLight::box() const {
   if (count_ == 0) return std::nullopt;
   std::optional<CloudBox> box;

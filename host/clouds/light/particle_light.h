@@ -39,6 +39,7 @@ struct LightFields {
   const ocl::Buffer<std::array<float, 4>>&glow, &drift;
   std::size_t clouds;
   int suns, channels;
+  glm::dvec3 first_sun;  // unit, toward it; up where there is none
 };
 
 /// Whether all particles have the albedo of their cloud's look, or some another.
@@ -76,7 +77,7 @@ class ParticleLight {
   /// Valid until the next relight().
   LightFields fields() const {
     return {grids_, looks_,  lights_, phases_, absorption_, entries_, glow_, drift_, known_looks_.size(),
-            suns_,  channels_};
+            suns_,  channels_, first_sun()};
   }
 
   /// One of several parts of all particles, about as many in each.
@@ -91,6 +92,7 @@ class ParticleLight {
  private:
   using Float4 = std::array<float, 4>;
 
+  glm::dvec3 first_sun() const;
   void set_lights(std::span<const CloudIllumination> lights, std::size_t clouds);
   void set_looks(std::span<const CloudLook> looks);
   void reserve(std::size_t clouds);

@@ -16,24 +16,47 @@ constexpr double billboards_px = 1.5, marched_px = 2.5;
 // Clouds that are marched at most: the largest on the screen.
 constexpr std::size_t most_volumes = 16;
 
+// Between the particles and the sides of a volume: half a cell, and what balls of the least radius stand out.
+constexpr double margin_cells = 2.5;
+
 int rounded_up(double cells, int step) {
   return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
 }
 
-/// Without slot and share.
-CloudMarchVolume volume_of(const CloudGrid& grid, int cloud) {
-  const glm::dvec3 box_m = glm::dvec3(grid.size_x, grid.size_y, grid.size_z) *
-                           glm::dvec3(grid.cell_x, grid.cell_y, grid.cell_z);
-  CloudMarchVolume volume{
-      .low_x = grid.low_x, .low_y = grid.low_y, .low_z = grid.low_z, .cell_m = 0, .size_x = 0, .size_y = 0,
-      .size_z = 0, .cloud = cloud, .slot = 0, .share = 0};
+/// With axes of `like`, around what bounds hold; a cell lies beyond on each side, so that all fades to nothing.
+CloudMarchVolume volume_of(const CloudMarchBounds& bounds, const CloudMarchVolume& like, int cloud) {
+  const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z), high_m(bounds.high_x, bounds.high_y, bounds.high_z);
+  const glm::dvec3 box_m = high_m - low_m;
+  CloudMarchVolume volume = like;
+  volume.cloud = cloud;
   for (double cell_m = std::cbrt(box_m.x * box_m.y * box_m.z / CLOUD_MARCH_CELLS);; cell_m *= 1.02) {
     volume.cell_m = static_cast<float>(cell_m);
-    volume.size_x = rounded_up(box_m.x / cell_m, CLOUD_MARCH_ROW);
-    volume.size_y = rounded_up(box_m.y / cell_m, CLOUD_MARCH_BLOCK);
-    volume.size_z = rounded_up(box_m.z / cell_m, CLOUD_MARCH_BLOCK);
+    volume.low_x = static_cast<float>(low_m.x - margin_cells * cell_m);
+    volume.low_y = static_cast<float>(low_m.y - margin_cells * cell_m);
+    volume.low_z = static_cast<float>(low_m.z - margin_cells * cell_m);
+    volume.size_x = rounded_up(box_m.x / cell_m + 2.0 * margin_cells, CLOUD_MARCH_ROW);
+    volume.size_y = rounded_up(box_m.y / cell_m + 2.0 * margin_cells, CLOUD_MARCH_BLOCK);
+    volume.size_z = rounded_up(box_m.z / cell_m + 2.0 * margin_cells, CLOUD_MARCH_BLOCK);
     if (std::int64_t{volume.size_x} * volume.size_y * volume.size_z <= CLOUD_MARCH_CELLS) return volume;
   }
+}
+
+/// Unit; any across it where the first sun is dark.
+CloudMarchVolume axes_toward(const glm::dvec3& sun) {
+  const glm::dvec3 right = glm::normalize(glm::cross(std::abs(sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), sun));
+  const glm::vec3 x(right), y(glm::cross(sun, right)), z(sun);
+  CloudMarchVolume axes{};
+  axes.right_x = x.x, axes.right_y = x.y, axes.right_z = x.z;
+  axes.up_x = y.x, axes.up_y = y.y, axes.up_z = y.z;
+  axes.sun_x = z.x, axes.sun_y = z.y, axes.sun_z = z.z;
+  return axes;
+}
+
+/// Of a place in the axes of the particles.
+glm::dvec3 along(const CloudMarchVolume& axes, const glm::dvec3& place) {
+  return {glm::dot(glm::dvec3(axes.right_x, axes.right_y, axes.right_z), place),
+          glm::dot(glm::dvec3(axes.up_x, axes.up_y, axes.up_z), place),
+          glm::dot(glm::dvec3(axes.sun_x, axes.sun_y, axes.sun_z), place)};
 }
 
 struct Wanted {
@@ -54,8 +77,15 @@ ResolvedClouds::ResolvedClouds(const ocl::Device& device)
       cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
       group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
       picture_tuning_(ocl::tuning_for(device.info(), "billboard_composite")),
+      bounds_kernel_(ocl::Program::build(device, "clouds/march/march_bounds.cl",
+                                         light_grid_defines()
+                                             .set("GROUP_SIZE", static_cast<long long>(group_tuning_.group))
+                                             .set("LANES", group_tuning_.lanes))
+                         .kernel("march_bounds")),
       density_kernel_(ocl::Program::build(device, "clouds/march/march_density.cl",
-                                          ocl::Defines().set("LANES", density_tuning_.lanes))
+                                          light_grid_defines()
+                                              .set("GROUP_SIZE", 1)
+                                              .set("LANES", density_tuning_.lanes))
                           .kernel("march_density")),
       blocks_kernel_(ocl::Program::build(device, "clouds/march/march_blocks.cl").kernel("march_blocks")),
       beam_kernel_(ocl::Program::build(device, "clouds/march/march_beam.cl",
@@ -85,8 +115,14 @@ ResolvedClouds::Kernels& ResolvedClouds::kernels() {
 void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const ParticleLight& light) {
   particles_ = &particles;
   light_ = &light;
-  boxes_ = light.fields().grids.read();
-  boxes_.resize(light.fields().clouds);
+  const LightFields fields = light.fields();
+  axes_ = axes_toward(fields.first_sun);
+  if (bounds_buffer_.size() < fields.clouds)
+    bounds_buffer_ = ocl::Buffer<CloudMarchBounds>(device_, fields.clouds, "bounds of marched clouds");
+  bounds_kernel_.launch({{fields.clouds * group_tuning_.group}, {group_tuning_.group}}, particles, fields.grids,
+                        axes_, bounds_buffer_);
+  bounds_ = bounds_buffer_.read();
+  bounds_.resize(fields.clouds);
   for (Slot& slot : slots_) slot.cloud.reset();
 }
 
@@ -116,24 +152,22 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   const glm::dvec3 eye_m = camera.eye_m - origin_m;
   const double px_a_tangent = 0.5 * camera.height_px / half_extent(camera).y;
   std::vector<Wanted> wanted;
-  for (std::size_t cloud = 0; cloud < boxes_.size(); ++cloud) {
-    const CloudGrid& grid = boxes_[cloud];
-    if (grid.first == grid.end) continue;
-    const glm::dvec3 low_m(grid.low_x, grid.low_y, grid.low_z),
-        cell_m(grid.cell_x, grid.cell_y, grid.cell_z);
-    const glm::dvec3 size(grid.size_x, grid.size_y, grid.size_z), middle_m = low_m + 0.5 * size * cell_m;
-    const double distance_m = glm::distance(eye_m, middle_m);
-    const double edge_m = std::cbrt(cell_m.x * cell_m.y * cell_m.z);
-    const double nearest_m = glm::distance(eye_m, glm::clamp(eye_m, low_m, low_m + size * cell_m));
-    const double edge_px = px_a_tangent * edge_m / std::max(nearest_m, edge_m);
-    if (edge_px > billboards_px) wanted.push_back({static_cast<int>(cloud), edge_px, distance_m});
+  const glm::dvec3 eye_in_volume_m = along(axes_, eye_m);
+  for (std::size_t cloud = 0; cloud < bounds_.size(); ++cloud) {
+    const CloudMarchBounds& bounds = bounds_[cloud];
+    if (bounds.first == bounds.end) continue;
+    const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z), high_m(bounds.high_x, bounds.high_y, bounds.high_z);
+    const double nearest_m = glm::distance(eye_in_volume_m, glm::clamp(eye_in_volume_m, low_m, high_m));
+    const double edge_px = px_a_tangent * bounds.edge_m / std::max<double>(nearest_m, bounds.edge_m);
+    if (edge_px > billboards_px)
+      wanted.push_back({static_cast<int>(cloud), edge_px, glm::distance(eye_in_volume_m, 0.5 * (low_m + high_m))});
   }
   std::sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) { return a.edge_px > b.edge_px; });
   // Of more clouds than there are volumes, the smallest fade as others grow beyond them.
   const double least_px = wanted.size() > most_volumes ? std::max(billboards_px, wanted[most_volumes].edge_px) : billboards_px;
   wanted.resize(std::min(wanted.size(), most_volumes));
-  std::vector<float> shares(boxes_.size(), 1.0f);
-  if (!wanted.empty()) reserve(std::min(boxes_.size(), most_volumes));
+  std::vector<float> shares(bounds_.size(), 1.0f);
+  if (!wanted.empty()) reserve(std::min(bounds_.size(), most_volumes));
   for (Slot& slot : slots_) slot.is_wanted = false;
   for (const Wanted& one : wanted) {
     for (Slot& slot : slots_)
@@ -141,7 +175,7 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   }
   std::vector<std::pair<double, CloudMarchVolume>> sorted;
   for (const Wanted& one : wanted) {
-    CloudMarchVolume volume = volume_of(boxes_[static_cast<std::size_t>(one.cloud)], one.cloud);
+    CloudMarchVolume volume = volume_of(bounds_[static_cast<std::size_t>(one.cloud)], axes_, one.cloud);
     volume.share = static_cast<float>(smooth(least_px, least_px * marched_px / billboards_px, one.edge_px));
     auto slot = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.cloud == one.cloud; });
     const bool is_made = slot != slots_.end();
@@ -165,9 +199,9 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
 
 void ResolvedClouds::make(const CloudMarchVolume& volume) {
   const LightFields light = light_->fields();
-  const CloudGrid& grid = boxes_[static_cast<std::size_t>(volume.cloud)];
+  const CloudMarchBounds& bounds = bounds_[static_cast<std::size_t>(volume.cloud)];
   const auto planes = static_cast<std::size_t>(volume.size_z);
-  density_kernel_.launch({{planes}}, *particles_, grid.first, grid.end, volume, density_);
+  density_kernel_.launch({{planes}}, *particles_, bounds.first, bounds.end, volume, density_);
   constexpr int block = CLOUD_MARCH_BLOCK;
   const auto blocks = static_cast<std::size_t>(volume.size_x / block * (volume.size_y / block) * (volume.size_z / block));
   blocks_kernel_.launch({{blocks}}, volume, density_, blocks_);

@@ -28,12 +28,12 @@ class ResolvedClouds {
  public:
   explicit ResolvedClouds(const ocl::Device& device);
 
-  /// From now on these particles are resolved, in this light, by the calibrated model. Waits for the light's
-  /// boxes. Keeps references to both.
+  /// From now on these particles are resolved, in this light, by the calibrated model. Waits for the
+  /// particles. Keeps references to both.
   void set(const ocl::Buffer<CloudParticle>& particles, const ParticleLight& light);
   /// From now on nothing is.
   void clear() {
-    boxes_.clear();
+    bounds_.clear();
     volumes_.clear();
   }
 
@@ -67,15 +67,17 @@ class ResolvedClouds {
 
   ocl::Device device_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, picture_tuning_;
-  ocl::Kernel density_kernel_, blocks_kernel_, beam_kernel_;
+  ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, beam_kernel_;
   std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   const ParticleLight* light_ = nullptr;
-  std::vector<CloudGrid> boxes_;  // of the light, one a cloud; empty: nothing is resolved
+  std::vector<CloudMarchBounds> bounds_;  // one a cloud; empty: nothing is resolved
+  CloudMarchVolume axes_{};              // of all volumes
   std::vector<Slot> slots_;
   std::vector<CloudMarchVolume> volumes_;  // the nearest first
   std::vector<float> shares_held_;         // as shares_ has them
   glm::dvec3 origin_m_{0.0};
+  ocl::Buffer<CloudMarchBounds> bounds_buffer_;
   ocl::Buffer<CloudMarchVolume> volumes_buffer_;
   ocl::Buffer<float> shares_, density_, depths_;
   ocl::Buffer<std::int32_t> blocks_;

@@ -6,6 +6,7 @@
 //      lights, phases; the camera, with places in the axes of the volumes; scene_depth as billboard_composite.cl has it.
 // Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], of their mean. Row 0 is at the bottom.
 #include "clouds/march/march_source.clh"
+#include "clouds/march/march_volume.clh"
 #include "clouds/march/pixel_rays.clh"
 #include "simd/lane_exponents.clh"
 
@@ -100,12 +101,15 @@ typedef struct {
 INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, const CloudScattering look,
                           __global const CloudLightParams *restrict light, MarchedArrays arrays, CloudImageParams params,
                           PixelRays rays, March *march) {
-  const float low_x = volume.low_x - params.eye_x_m, low_y = volume.low_y - params.eye_y_m,
-              low_z = volume.low_z - params.eye_z_m;
+  const float3 eye_m = in_volume(volume, (float3)(params.eye_x_m, params.eye_y_m, params.eye_z_m));
+  const float low_x = volume.low_x - eye_m.x, low_y = volume.low_y - eye_m.y, low_z = volume.low_z - eye_m.z;
+  const lanes ray_x = fma(rays.x, (lanes)volume.right_x, fma(rays.y, (lanes)volume.right_y, rays.z * volume.right_z));
+  const lanes ray_y = fma(rays.x, (lanes)volume.up_x, fma(rays.y, (lanes)volume.up_y, rays.z * volume.up_z));
+  const lanes ray_z = fma(rays.x, (lanes)volume.sun_x, fma(rays.y, (lanes)volume.sun_y, rays.z * volume.sun_z));
   lanes enter = 0.0f, leave = rays.scene_m;
-  clip(rays.x, low_x, low_x + (float)volume.size_x * volume.cell_m, &enter, &leave);
-  clip(rays.y, low_y, low_y + (float)volume.size_y * volume.cell_m, &enter, &leave);
-  clip(rays.z, low_z, low_z + (float)volume.size_z * volume.cell_m, &enter, &leave);
+  clip(ray_x, low_x, low_x + (float)volume.size_x * volume.cell_m, &enter, &leave);
+  clip(ray_y, low_y, low_y + (float)volume.size_y * volume.cell_m, &enter, &leave);
+  clip(ray_z, low_z, low_z + (float)volume.size_z * volume.cell_m, &enter, &leave);
   int_lanes goes_on = mask_of(enter < leave) & mask_of(most_kept(march) > LEAST_KEPT);
   if (!any_lane(goes_on)) return;
 
@@ -117,7 +121,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
     angle_places[sun] = sqrt(acos(clamp(cosine, (lanes)-1.0f, (lanes)1.0f)) / 3.14159265f) * (float)(CLOUD_PHASE_ANGLES - 1);
   }
   const float a_cell = 1.0f / volume.cell_m;
-  const lanes speed_x = a_cell * rays.x, speed_y = a_cell * rays.y, speed_z = a_cell * rays.z;
+  const lanes speed_x = a_cell * ray_x, speed_y = a_cell * ray_y, speed_z = a_cell * ray_z;
   const int block_columns = volume.size_x / CLOUD_MARCH_BLOCK, block_rows = volume.size_y / CLOUD_MARCH_BLOCK;
   const int block_planes = volume.size_z / CLOUD_MARCH_BLOCK;
   const float3 own_cell = grid_cell(grid);  // of the light's grid

@@ -3,8 +3,7 @@
 // In:  particles first ... end - 1 of one cloud; its volume. Global size: planes along z, or more.
 // Out: density [slots][CLOUD_MARCH_CELLS], 1/m.
 #include "clouds/chord.clh"
-#include "shared/cloud_march.h"
-#include "shared/clouds.h"
+#include "clouds/march/march_volume.clh"
 #include "simd/lane_masks.clh"
 
 // Balls of smaller radii, in cells, are taken as of this one: of fewer cells sums would depend on where these lie.
@@ -19,10 +18,11 @@ __kernel void march_density(__global const CloudParticle *restrict particles, in
   const float a_metre = 1.0f / volume.cell_m, middle_z = (float)z + 0.5f;
   for (int i = first; i < end; ++i) {
     const float radius = fmax(particles[i].radius * a_metre, LEAST_RADIUS);
-    const float from_z = middle_z - (particles[i].z - volume.low_z) * a_metre;
+    const float3 place = in_volume(volume, (float3)(particles[i].x, particles[i].y, particles[i].z));
+    const float from_z = middle_z - (place.z - volume.low_z) * a_metre;
     // What is not a number is in no plane.
     if (!(fabs(from_z) < radius)) continue;
-    const float at_x = (particles[i].x - volume.low_x) * a_metre, at_y = (particles[i].y - volume.low_y) * a_metre;
+    const float at_x = (place.x - volume.low_x) * a_metre, at_y = (place.y - volume.low_y) * a_metre;
     if (!isfinite(at_x + at_y + radius + particles[i].optical_mass)) continue;
     const float a_square = 1.0f / (radius * radius), radius_m = radius * volume.cell_m;
     const float amount = particles[i].optical_mass / (CLOUD_BALL_MASS * radius_m * radius_m * radius_m);
