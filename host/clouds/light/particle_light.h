@@ -29,8 +29,8 @@ constexpr std::size_t light_grid_cells = 16384;
 /// What sources with kernels/clouds/light_grid.clh need, but for GROUP_SIZE and LANES.
 ocl::Defines light_grid_defines();
 
-/// On the device, of the last relight() by the calibrated model: what the headers of kernels/clouds/light_*.cl
-/// say.
+/// On the device, of the last relight() by the calibrated model: what the headers of
+/// kernels/clouds/light_*.cl say.
 struct LightFields {
   const ocl::Buffer<CloudGrid>& grids;
   const ocl::Buffer<CloudScattering>& looks;
@@ -76,7 +76,7 @@ class ParticleLight {
 
   /// Valid until the next relight().
   LightFields fields() const {
-    return {grids_, looks_,  lights_, phases_, absorption_, entries_, glow_, drift_, known_looks_.size(),
+    return {grids_, looks_,    lights_,    phases_, absorption_, entries_, glow_, drift_, known_looks_.size(),
             suns_,  channels_, first_sun()};
   }
 

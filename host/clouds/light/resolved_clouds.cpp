@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,9 +24,11 @@ int rounded_up(double cells, int step) {
   return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
 }
 
-/// With axes of `like`, around what bounds hold; a cell lies beyond on each side, so that all fades to nothing.
+/// With axes of `like`, around what bounds hold; a cell lies beyond on each side, so that all fades to
+/// nothing.
 CloudMarchVolume volume_of(const CloudMarchBounds& bounds, const CloudMarchVolume& like, int cloud) {
-  const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z), high_m(bounds.high_x, bounds.high_y, bounds.high_z);
+  const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z),
+      high_m(bounds.high_x, bounds.high_y, bounds.high_z);
   const glm::dvec3 box_m = high_m - low_m;
   CloudMarchVolume volume = like;
   volume.cloud = cloud;
@@ -43,7 +46,8 @@ CloudMarchVolume volume_of(const CloudMarchBounds& bounds, const CloudMarchVolum
 
 /// Unit; any across it where the first sun is dark.
 CloudMarchVolume axes_toward(const glm::dvec3& sun) {
-  const glm::dvec3 right = glm::normalize(glm::cross(std::abs(sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), sun));
+  const glm::dvec3 right =
+      glm::normalize(glm::cross(std::abs(sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), sun));
   const glm::vec3 x(right), y(glm::cross(sun, right)), z(sun);
   CloudMarchVolume axes{};
   axes.right_x = x.x, axes.right_y = x.y, axes.right_z = x.z;
@@ -64,6 +68,15 @@ struct Wanted {
   double edge_px, distance_m;
 };
 
+ocl::Kernel march_kernel(const ocl::Device& device, const std::string& kernel,
+                         const ocl::KernelTuning& tuning, int channels = 1) {
+  ocl::Defines defines = light_grid_defines();
+  defines.set("GROUP_SIZE", static_cast<long long>(tuning.group))
+      .set("LANES", tuning.lanes)
+      .set("CHANNELS", channels);
+  return ocl::Program::build(device, "clouds/march/" + kernel + ".cl", defines).kernel(kernel);
+}
+
 double smooth(double low, double high, double value) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -77,37 +90,18 @@ ResolvedClouds::ResolvedClouds(const ocl::Device& device)
       cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
       group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
       picture_tuning_(ocl::tuning_for(device.info(), "billboard_composite")),
-      bounds_kernel_(ocl::Program::build(device, "clouds/march/march_bounds.cl",
-                                         light_grid_defines()
-                                             .set("GROUP_SIZE", static_cast<long long>(group_tuning_.group))
-                                             .set("LANES", group_tuning_.lanes))
-                         .kernel("march_bounds")),
-      density_kernel_(ocl::Program::build(device, "clouds/march/march_density.cl",
-                                          light_grid_defines()
-                                              .set("GROUP_SIZE", 1)
-                                              .set("LANES", density_tuning_.lanes))
-                          .kernel("march_density")),
-      blocks_kernel_(ocl::Program::build(device, "clouds/march/march_blocks.cl").kernel("march_blocks")),
-      beam_kernel_(ocl::Program::build(device, "clouds/march/march_beam.cl",
-                                       light_grid_defines()
-                                           .set("GROUP_SIZE", static_cast<long long>(group_tuning_.group))
-                                           .set("LANES", group_tuning_.lanes))
-                       .kernel("march_beam")) {}
+      bounds_kernel_(march_kernel(device, "march_bounds", group_tuning_)),
+      density_kernel_(march_kernel(device, "march_density", density_tuning_)),
+      blocks_kernel_(march_kernel(device, "march_blocks", density_tuning_)),
+      descent_kernel_(march_kernel(device, "march_descent", density_tuning_)),
+      beam_kernel_(march_kernel(device, "march_beam", group_tuning_)) {}
 
 ResolvedClouds::Kernels& ResolvedClouds::kernels() {
   const int channels = light_->fields().channels;
   std::optional<Kernels>& kernels = kernels_[channels == 1 ? 0 : 1];
   if (!kernels) {
-    const auto built = [&](const char* source, const char* kernel, int lanes) {
-      return ocl::Program::build(device_, source,
-                                 light_grid_defines()
-                                     .set("CHANNELS", channels)
-                                     .set("GROUP_SIZE", 1)
-                                     .set("LANES", lanes))
-          .kernel(kernel);
-    };
-    kernels = {built("clouds/march/march_source.cl", "march_source", cell_tuning_.lanes),
-               built("clouds/march/cloud_march.cl", "cloud_march", picture_tuning_.lanes)};
+    kernels = {march_kernel(device_, "march_source", cell_tuning_, channels),
+               march_kernel(device_, "cloud_march", picture_tuning_, channels)};
   }
   return *kernels;
 }
@@ -119,8 +113,8 @@ void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const Part
   axes_ = axes_toward(fields.first_sun);
   if (bounds_buffer_.size() < fields.clouds)
     bounds_buffer_ = ocl::Buffer<CloudMarchBounds>(device_, fields.clouds, "bounds of marched clouds");
-  bounds_kernel_.launch({{fields.clouds * group_tuning_.group}, {group_tuning_.group}}, particles, fields.grids,
-                        axes_, bounds_buffer_);
+  bounds_kernel_.launch({{fields.clouds * group_tuning_.group}, {group_tuning_.group}}, particles,
+                        fields.grids, axes_, bounds_buffer_);
   bounds_ = bounds_buffer_.read();
   bounds_.resize(fields.clouds);
   for (Slot& slot : slots_) slot.cloud.reset();
@@ -140,7 +134,8 @@ void ResolvedClouds::reserve(std::size_t slots) {
   fit(blocks_, slots * CLOUD_MARCH_BLOCKS, "blocks of marched clouds");
   fit(volumes_buffer_, slots, "marched clouds");
   if (sources_.size() < slots * vectors * light_grid_cells)
-    sources_ = ocl::Buffer<std::array<float, 4>>(device_, slots * vectors * light_grid_cells, "light of marched clouds");
+    sources_ = ocl::Buffer<std::array<float, 4>>(device_, slots * vectors * light_grid_cells,
+                                                 "light of marched clouds");
   slots_.resize(std::max(slots_.size(), slots));
   if (!is_new) return;
   for (Slot& slot : slots_) slot.cloud.reset();
@@ -156,15 +151,19 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   for (std::size_t cloud = 0; cloud < bounds_.size(); ++cloud) {
     const CloudMarchBounds& bounds = bounds_[cloud];
     if (bounds.first == bounds.end) continue;
-    const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z), high_m(bounds.high_x, bounds.high_y, bounds.high_z);
+    const glm::dvec3 low_m(bounds.low_x, bounds.low_y, bounds.low_z),
+        high_m(bounds.high_x, bounds.high_y, bounds.high_z);
     const double nearest_m = glm::distance(eye_in_volume_m, glm::clamp(eye_in_volume_m, low_m, high_m));
     const double edge_px = px_a_tangent * bounds.edge_m / std::max<double>(nearest_m, bounds.edge_m);
     if (edge_px > billboards_px)
-      wanted.push_back({static_cast<int>(cloud), edge_px, glm::distance(eye_in_volume_m, 0.5 * (low_m + high_m))});
+      wanted.push_back(
+          {static_cast<int>(cloud), edge_px, glm::distance(eye_in_volume_m, 0.5 * (low_m + high_m))});
   }
-  std::sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) { return a.edge_px > b.edge_px; });
+  std::sort(wanted.begin(), wanted.end(),
+            [](const Wanted& a, const Wanted& b) { return a.edge_px > b.edge_px; });
   // Of more clouds than there are volumes, the smallest fade as others grow beyond them.
-  const double least_px = wanted.size() > most_volumes ? std::max(billboards_px, wanted[most_volumes].edge_px) : billboards_px;
+  const double least_px =
+      wanted.size() > most_volumes ? std::max(billboards_px, wanted[most_volumes].edge_px) : billboards_px;
   wanted.resize(std::min(wanted.size(), most_volumes));
   std::vector<float> shares(bounds_.size(), 1.0f);
   if (!wanted.empty()) reserve(std::min(bounds_.size(), most_volumes));
@@ -177,9 +176,11 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   for (const Wanted& one : wanted) {
     CloudMarchVolume volume = volume_of(bounds_[static_cast<std::size_t>(one.cloud)], axes_, one.cloud);
     volume.share = static_cast<float>(smooth(least_px, least_px * marched_px / billboards_px, one.edge_px));
-    auto slot = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.cloud == one.cloud; });
+    auto slot =
+        std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.cloud == one.cloud; });
     const bool is_made = slot != slots_.end();
-    if (!is_made) slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.is_wanted; });
+    if (!is_made)
+      slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.is_wanted; });
     volume.slot = static_cast<int>(slot - slots_.begin());
     if (!is_made) {
       make(volume);
@@ -192,7 +193,8 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   for (const auto& [distance_m, volume] : sorted) volumes_.push_back(volume);
   if (!volumes_.empty()) volumes_buffer_.write(volumes_);
   if (shares_held_ == shares) return;
-  if (shares_.size() < shares.size()) shares_ = ocl::Buffer<float>(device_, shares.size(), "shares of clouds");
+  if (shares_.size() < shares.size())
+    shares_ = ocl::Buffer<float>(device_, shares.size(), "shares of clouds");
   shares_.write(shares);
   shares_held_ = std::move(shares);
 }
@@ -202,13 +204,17 @@ void ResolvedClouds::make(const CloudMarchVolume& volume) {
   const CloudMarchBounds& bounds = bounds_[static_cast<std::size_t>(volume.cloud)];
   const auto planes = static_cast<std::size_t>(volume.size_z);
   density_kernel_.launch({{planes}}, *particles_, bounds.first, bounds.end, volume, density_);
-  constexpr int block = CLOUD_MARCH_BLOCK;
-  const auto blocks = static_cast<std::size_t>(volume.size_x / block * (volume.size_y / block) * (volume.size_z / block));
-  blocks_kernel_.launch({{blocks}}, volume, density_, blocks_);
+  blocks_kernel_.launch({{planes / CLOUD_MARCH_BLOCK}}, *particles_, bounds.first, bounds.end, volume,
+                        blocks_);
   if (light.suns == 0) return;
-  beam_kernel_.launch({{static_cast<std::size_t>(light.suns) * group_tuning_.group}, {group_tuning_.group}},
-                      volume, density_, light.grids, light.looks, light.lights, light.entries,
-                      static_cast<int>(light.clouds), light.channels, depths_);
+  const auto clouds = static_cast<int>(light.clouds);
+  descent_kernel_.launch({{static_cast<std::size_t>(volume.size_y)}}, volume, density_, light.grids,
+                         light.looks, light.lights, light.entries, clouds, light.suns, light.channels,
+                         depths_);
+  if (light.suns == 1) return;
+  beam_kernel_.launch(
+      {{static_cast<std::size_t>(light.suns - 1) * group_tuning_.group}, {group_tuning_.group}}, volume,
+      density_, light.grids, light.looks, light.lights, light.entries, clouds, light.channels, depths_);
 }
 
 void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams params, const glm::dvec3& eye_m,

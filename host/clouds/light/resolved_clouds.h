@@ -67,12 +67,12 @@ class ResolvedClouds {
 
   ocl::Device device_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, picture_tuning_;
-  ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, beam_kernel_;
+  ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, descent_kernel_, beam_kernel_;
   std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   const ParticleLight* light_ = nullptr;
   std::vector<CloudMarchBounds> bounds_;  // one a cloud; empty: nothing is resolved
-  CloudMarchVolume axes_{};              // of all volumes
+  CloudMarchVolume axes_{};               // of all volumes
   std::vector<Slot> slots_;
   std::vector<CloudMarchVolume> volumes_;  // the nearest first
   std::vector<float> shares_held_;         // as shares_ has them

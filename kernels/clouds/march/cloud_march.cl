@@ -13,8 +13,10 @@
 // Longest piece in optical depths of the scaled medium, and shortest in cells.
 #define PIECE_DEPTH 0.4f
 #define LEAST_PIECE 0.25f
-// What lies behind this little of the scaled light is not looked at.
-#define LEAST_KEPT 4e-3f
+// What was scattered before changes little in this share of an edge of its cells.
+#define SOURCE_EDGES 0.3f
+// What lies behind this little of the scaled light is not looked at, and taken to be as what lies before.
+#define LEAST_KEPT 1e-2f
 // Directions this near to level see sky and ground, mixed.
 #define LEVEL_SINE 0.05f
 
@@ -69,11 +71,15 @@ INLINE void clip(lanes direction, float low_m, float high_m, lanes *enter, lanes
   *leave = least(*leave, most(a, b));
 }
 
-// How far along an axis the block ends in which a place lies, in cells of the way.
-INLINE lanes to_edge(lanes place, lanes speed) {
-  const lanes edge = (float)CLOUD_MARCH_BLOCK, inside = place - edge * floor(place / edge);
-  const lanes left = select(inside, edge - inside, mask_of(speed > 0.0f));
-  return left / most(fabs(speed), (lanes)1e-12f);
+// How far along an axis a block ends, from the place in blocks of a ray that crosses one in a_speed, in metres.
+INLINE lanes to_edge(lanes place, lanes a_speed) {
+  const lanes inside = place - floor(place);
+  return select(-inside, 1.0f - inside, mask_of(a_speed > 0.0f)) * a_speed;
+}
+
+// Metres in which a ray crosses a block along an axis, with the sign of its direction.
+INLINE lanes crossing(lanes direction, float block_m) {
+  return block_m / select(direction, (lanes)1e-9f, mask_of(fabs(direction) < 1e-9f));
 }
 
 // What has been seen of clouds: light of the scaled medium of each colour, and depth of the true one.
@@ -122,21 +128,31 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
   }
   const float a_cell = 1.0f / volume.cell_m;
   const lanes speed_x = a_cell * ray_x, speed_y = a_cell * ray_y, speed_z = a_cell * ray_z;
+  const float block_m = (float)CLOUD_MARCH_BLOCK * volume.cell_m, a_block = 1.0f / (float)CLOUD_MARCH_BLOCK;
+  const lanes cross_x = crossing(ray_x, block_m), cross_y = crossing(ray_y, block_m), cross_z = crossing(ray_z, block_m);
   const int block_columns = volume.size_x / CLOUD_MARCH_BLOCK, block_rows = volume.size_y / CLOUD_MARCH_BLOCK;
   const int block_planes = volume.size_z / CLOUD_MARCH_BLOCK;
   const float3 own_cell = grid_cell(grid);  // of the light's grid
+  const float source_m = SOURCE_EDGES * fmin(own_cell.x, fmin(own_cell.y, own_cell.z));
+  lanes shared[3], albedo[CHANNELS], scaled[CHANNELS];
+  lanes sourced_to = -1.0f;  // how far along the rays `shared` holds
+  for (int channel = 0; channel < CHANNELS; ++channel) {
+    albedo[channel] = 1.0f - look.absorbed_share;
+    scaled[channel] = 1.0f - look.forward_share * albedo[channel];
+  }
   lanes way = enter, rough = PIECE_DEPTH * a_cell;
   // A ray crosses no more blocks and no more pieces of cells than these.
   const int most_pieces = 8 * (volume.size_x + volume.size_y + volume.size_z);
   for (int number = 0; number < most_pieces; ++number) {
     const lanes x = fma(way, speed_x, (lanes)(-a_cell * low_x)), y = fma(way, speed_y, (lanes)(-a_cell * low_y)),
                 z = fma(way, speed_z, (lanes)(-a_cell * low_z));
-    const lanes an_edge = 1.0f / (float)CLOUD_MARCH_BLOCK;
-    const int_lanes block = (up_to(convert_int_lanes(floor(z * an_edge)), block_planes - 1) * block_rows +
-                             up_to(convert_int_lanes(floor(y * an_edge)), block_rows - 1)) * block_columns +
-                            up_to(convert_int_lanes(floor(x * an_edge)), block_columns - 1);
+    const lanes block_x = a_block * x, block_y = a_block * y, block_z = a_block * z;
+    const int_lanes block = (up_to(convert_int_lanes(block_z), block_planes - 1) * block_rows +
+                             up_to(convert_int_lanes(block_y), block_rows - 1)) * block_columns +
+                            up_to(convert_int_lanes(block_x), block_columns - 1);
     const int_lanes holds = -gathered_ints(arrays.blocks, block) & goes_on;
-    const lanes past = least(least(to_edge(x, speed_x), to_edge(y, speed_y)), to_edge(z, speed_z)) + 0.01f * volume.cell_m;
+    const lanes past = least(least(to_edge(block_x, cross_x), to_edge(block_y, cross_y)), to_edge(block_z, cross_z)) +
+                       0.01f * volume.cell_m;
     const lanes longest = volume.cell_m;
     lanes piece = least(most(PIECE_DEPTH / rough, LEAST_PIECE * longest), longest);
     piece = least(select(past, piece, holds), leave - way);
@@ -147,21 +163,24 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
       const lanes extinction = select((lanes)0.0f, volume.share * sampled(arrays.density, 1, at), holds);
       if (any_lane(mask_of(extinction > 0.0f))) {
         const lanes middle = way + half_piece;
-        const Trilinear in_grid = trilinear_at(
-            fma(middle, rays.x, (lanes)(params.eye_x_m - grid.low_x)) / own_cell.x,
-            fma(middle, rays.y, (lanes)(params.eye_y_m - grid.low_y)) / own_cell.y,
-            fma(middle, rays.z, (lanes)(params.eye_z_m - grid.low_z)) / own_cell.z, grid.size_x, grid.size_y, grid.size_z);
-        const int pitch = 4 * SOURCE_VECTORS;
-        lanes shown[3], albedo[CHANNELS], scaled[CHANNELS], lit[CHANNELS];
-        for (int colour = 0; colour < 3; ++colour) shown[colour] = sampled(arrays.sources + colour, pitch, in_grid);
-        for (int channel = 0; channel < CHANNELS; ++channel) {
-#if CHANNELS == 1
-          albedo[channel] = 1.0f - look.absorbed_share;
-#else
-          albedo[channel] = sampled(arrays.sources + 4 + channel, pitch, in_grid);
+        if (any_lane(mask_of(extinction > 0.0f) & mask_of(middle > sourced_to))) {
+          const lanes source_at = way + 0.5f * source_m;
+          const Trilinear in_grid = trilinear_at(
+              fma(source_at, rays.x, (lanes)(params.eye_x_m - grid.low_x)) / own_cell.x,
+              fma(source_at, rays.y, (lanes)(params.eye_y_m - grid.low_y)) / own_cell.y,
+              fma(source_at, rays.z, (lanes)(params.eye_z_m - grid.low_z)) / own_cell.z, grid.size_x, grid.size_y,
+              grid.size_z);
+          for (int colour = 0; colour < 3; ++colour)
+            shared[colour] = sampled(arrays.sources + colour, 4 * SOURCE_VECTORS, in_grid);
+#if CHANNELS > 1
+          for (int channel = 0; channel < CHANNELS; ++channel) {
+            albedo[channel] = sampled(arrays.sources + 4 + channel, 4 * SOURCE_VECTORS, in_grid);
+            scaled[channel] = 1.0f - look.forward_share * albedo[channel];
+          }
 #endif
-          scaled[channel] = 1.0f - look.forward_share * albedo[channel];
+          sourced_to = way + source_m;
         }
+        lanes shown[3] = {shared[0], shared[1], shared[2]}, lit[CHANNELS];
         const lanes eye_depth = fma(extinction, half_piece, march->depth);
         for (int sun = 0; sun < light->sun_count; ++sun) {
           const lanes sun_depth = sampled(arrays.depths + sun * CLOUD_MARCH_CELLS, 1, at);
@@ -232,6 +251,15 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
             blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
         march_through(volume, grids[volume.cloud], look, light, arrays, params, rays, &march);
+      }
+      // What is as good as full is taken as full of what it has shown.
+      const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
+      for (int channel = 0; channel < CHANNELS; ++channel) {
+        const lanes scale = select((lanes)1.0f, 1.0f / (1.0f - march.kept[channel]), is_full);
+        if (channel == 0) march.red *= scale;
+        if (channel == CHANNELS / 2) march.green *= scale;
+        if (channel == CHANNELS - 1) march.blue *= scale;
+        march.kept[channel] = select(march.kept[channel], (lanes)0.0f, is_full);
       }
       Sight sight = {march.red, march.green, march.blue, march.distance_m, exp_of(-march.depth)};
       if (any_lane(mask_of(march.depth > 0.0f))) {

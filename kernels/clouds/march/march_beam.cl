@@ -1,12 +1,10 @@
-// Optical depth of the way from the middle of each cell of a volume to each sun, of the first channel where there are
-// several. Carried along the light from plane to plane along the axis that the light crosses fastest, mixed between the middles of four cells
+// Optical depth of the way from the middle of each cell of a volume to each sun but the first. Carried from plane to plane along the axis that the light crosses fastest, mixed between the middles of four cells
 // of the plane before. Other clouds before this one add theirs where the light enters.
 // In:  the volume, density; grids, looks, lights [clouds]; of light_entry.cl entries, which count where there are several
 //      clouds.
-// Out: depths [slots][suns][CLOUD_MARCH_CELLS].
+// Out: depths [slots][suns][CLOUD_MARCH_CELLS], of these.
 // One work-group of GROUP_SIZE a sun.
-#include "clouds/light_entry.clh"
-#include "clouds/march/march_volume.clh"
+#include "clouds/march/march_entry.clh"
 
 static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
@@ -14,16 +12,12 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam
     const CloudMarchVolume volume, __global const float *restrict density, __global const CloudGrid *restrict grids,
     __global const CloudScattering *restrict looks, __global const CloudLightParams *restrict lights,
     __global const float *restrict entries, int clouds, int channels, __global float *restrict depths) {
-  const int sun = (int)get_group_id(0), suns = (int)get_num_groups(0), item = (int)get_local_id(0);
-  const CloudGrid grid = grids[volume.cloud];
-  const CloudScattering look = looks[volume.cloud];
+  const int sun = 1 + (int)get_group_id(0), suns = 1 + (int)get_num_groups(0), item = (int)get_local_id(0);
   const CloudLightSource source = lights[volume.cloud].suns[sun];
   density += (size_t)volume.slot * CLOUD_MARCH_CELLS;
   depths += ((size_t)volume.slot * suns + sun) * CLOUD_MARCH_CELLS;
 
-  const float3 toward = (float3)(source.x, source.y, source.z), turned = -in_volume(volume, toward);
-  // What rounding leaves beside an axis would smear the light of the first sun.
-  const float3 way = select(turned, (float3)(0.0f), fabs(turned) < 1e-5f), speed = fabs(way);
+  const float3 way = -in_volume(volume, (float3)(source.x, source.y, source.z)), speed = fabs(way);
   const int axis = speed.x > speed.y ? (speed.x > speed.z ? 0 : 2) : (speed.y > speed.z ? 1 : 2);
   const int axis_a = axis == 0 ? 1 : 0, axis_b = axis == 2 ? 1 : 2;
   const int sizes[3] = {volume.size_x, volume.size_y, volume.size_z};
@@ -36,9 +30,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam
   const float share_a = back_a - (float)left_a, share_b = back_b - (float)left_b;
   const bool is_rising = component(way, axis) > 0.0f;
   const int step = is_rising ? strides[axis] : -strides[axis];
-  const EntrySquare square = entry_square(grid, toward);
-  __global const float *shares = entries + ((size_t)volume.cloud * suns + sun) * channels * ENTRY_TEXELS;
-  const float a_scaled = 1.0f / (1.0f - look.forward_share * (1.0f - look.absorbed_share));
+  const MarchEntry entry = march_entry(volume, grids, looks, lights, entries, suns, channels, sun);
 
   for (int plane = 0; plane < planes; ++plane) {
     const int start = (is_rising ? plane : planes - 1 - plane) * strides[axis];
@@ -52,11 +44,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam
           const int from = start - step + from_a * stride_a + from_b * stride_b;
           arriving += weight * (depths[from] + half_way * density[from]);
         } else if (clouds > 1) {
-          const float3 at = (float3)((float)(cell % volume.size_x), (float)(cell / volume.size_x % volume.size_y),
-                                     (float)(cell / (volume.size_x * volume.size_y))) + 0.5f;
-          const float3 place = (float3)(volume.low_x, volume.low_y, volume.low_z) + at * volume.cell_m;
-          const float share = entry_share(square, shares, out_of_volume(volume, place));
-          arriving -= weight * a_scaled * log(fmax(share, 1e-30f));
+          arriving += weight * depth_before(volume, entry, cell % volume.size_x, cell / volume.size_x % volume.size_y,
+                                            cell / (volume.size_x * volume.size_y));
         }
       }
       depths[cell] = arriving + half_way * density[cell];

@@ -6,9 +6,6 @@
 #include "clouds/march/march_volume.clh"
 #include "simd/lane_masks.clh"
 
-// Balls of smaller radii, in cells, are taken as of this one: of fewer cells sums would depend on where these lie.
-#define LEAST_RADIUS 1.8f
-
 __kernel void march_density(__global const CloudParticle *restrict particles, int first, int end,
                             const CloudMarchVolume volume, __global float *restrict density) {
   const int z = (int)get_global_id(0);
@@ -17,7 +14,7 @@ __kernel void march_density(__global const CloudParticle *restrict particles, in
   for (int i = 0; i < volume.size_x * volume.size_y; i += LANES) store_lanes((lanes)0.0f, plane + i);
   const float a_metre = 1.0f / volume.cell_m, middle_z = (float)z + 0.5f;
   for (int i = first; i < end; ++i) {
-    const float radius = fmax(particles[i].radius * a_metre, LEAST_RADIUS);
+    const float radius = march_radius(volume, particles[i].radius);
     const float3 place = in_volume(volume, (float3)(particles[i].x, particles[i].y, particles[i].z));
     const float from_z = middle_z - (place.z - volume.low_z) * a_metre;
     // What is not a number is in no plane.
