@@ -203,7 +203,7 @@ struct WorldClouds::Sky {
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
-  clouds::ResolvedClouds resolved;  // of `lit`
+  clouds::ResolvedClouds resolved;                // of `lit`
   std::array<SentLight, seen_by_count> lights;    // to each of them
   std::array<SeenOrder, seen_by_count> orders;    // from each of them
   SeenBy light_of = eye, order_of = eye;          // what the last see() or see_mirrored() chose

@@ -16,8 +16,8 @@ typedef struct {
   float edge_m;                                       // of a cell of its light's grid
 } CloudMarchBounds;
 
-// The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that light goes from
-// cell to cell.
+// The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that
+// light goes from cell to cell.
 typedef struct {
   float right_x, right_y, right_z;  // unit: the volume's x in the axes of the particles
   float up_x, up_y, up_z;           // unit, its y

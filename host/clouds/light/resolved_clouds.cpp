@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -68,13 +67,13 @@ struct Wanted {
   double edge_px, distance_m;
 };
 
-ocl::Kernel march_kernel(const ocl::Device& device, const std::string& kernel,
+ocl::Kernel march_kernel(const ocl::Device& device, const char* source, const char* kernel,
                          const ocl::KernelTuning& tuning, int channels = 1) {
   ocl::Defines defines = light_grid_defines();
   defines.set("GROUP_SIZE", static_cast<long long>(tuning.group))
       .set("LANES", tuning.lanes)
       .set("CHANNELS", channels);
-  return ocl::Program::build(device, "clouds/march/" + kernel + ".cl", defines).kernel(kernel);
+  return ocl::Program::build(device, source, defines).kernel(kernel);
 }
 
 double smooth(double low, double high, double value) {
@@ -90,18 +89,21 @@ ResolvedClouds::ResolvedClouds(const ocl::Device& device)
       cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
       group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
       picture_tuning_(ocl::tuning_for(device.info(), "billboard_composite")),
-      bounds_kernel_(march_kernel(device, "march_bounds", group_tuning_)),
-      density_kernel_(march_kernel(device, "march_density", density_tuning_)),
-      blocks_kernel_(march_kernel(device, "march_blocks", density_tuning_)),
-      descent_kernel_(march_kernel(device, "march_descent", density_tuning_)),
-      beam_kernel_(march_kernel(device, "march_beam", group_tuning_)) {}
+      bounds_kernel_(march_kernel(device, "clouds/march/march_bounds.cl", "march_bounds", group_tuning_)),
+      density_kernel_(
+          march_kernel(device, "clouds/march/march_density.cl", "march_density", density_tuning_)),
+      blocks_kernel_(march_kernel(device, "clouds/march/march_blocks.cl", "march_blocks", density_tuning_)),
+      descent_kernel_(
+          march_kernel(device, "clouds/march/march_descent.cl", "march_descent", density_tuning_)),
+      beam_kernel_(march_kernel(device, "clouds/march/march_beam.cl", "march_beam", group_tuning_)) {}
 
 ResolvedClouds::Kernels& ResolvedClouds::kernels() {
   const int channels = light_->fields().channels;
   std::optional<Kernels>& kernels = kernels_[channels == 1 ? 0 : 1];
   if (!kernels) {
-    kernels = {march_kernel(device_, "march_source", cell_tuning_, channels),
-               march_kernel(device_, "cloud_march", picture_tuning_, channels)};
+    kernels = {
+        march_kernel(device_, "clouds/march/march_source.cl", "march_source", cell_tuning_, channels),
+        march_kernel(device_, "clouds/march/cloud_march.cl", "cloud_march", picture_tuning_, channels)};
   }
   return *kernels;
 }
