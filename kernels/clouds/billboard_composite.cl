@@ -130,6 +130,9 @@ INLINE bool see_billboard(__global const uint* textures, const CloudBillboard* b
   return true;
 }
 
+// Marched pixels are no more opaque than this, so that their depth is finite.
+#define MOST_OPACITY 0.999999f
+
 // Pixels that let less through, half a step of 8 bits, are taken as full of what they have shown.
 #define LEAST_THROUGH 2e-3f
 
@@ -138,25 +141,40 @@ typedef struct {
   lanes depth, red, green, blue;
 } Layer;
 
-// Puts what was marched, at its mean distance, behind what is seen so far, where a layer is beyond it; once.
-INLINE void put_marched(Sight* marched, lanes beyond_m, Sight* sight) {
-  const int_lanes here = mask_of(marched->distance_m <= beyond_m);
-  if (!any_lane(here & mask_of(marched->through < 1.0f))) return;
-  const lanes share = select((lanes)0.0f, sight->through, here);
-  sight->red = fma(share, marched->red, sight->red);
-  sight->green = fma(share, marched->green, sight->green);
-  sight->blue = fma(share, marched->blue, sight->blue);
-  sight->distance_m = fma(share * (1.0f - marched->through), marched->distance_m, sight->distance_m);
-  sight->through = select(sight->through, sight->through * marched->through, here);
-  marched->red = select(marched->red, (lanes)0.0f, here);
-  marched->green = select(marched->green, (lanes)0.0f, here);
-  marched->blue = select(marched->blue, (lanes)0.0f, here);
-  marched->through = select(marched->through, (lanes)1.0f, here);
+// What was marched, as if it were a billboard: light per depth, and how much of it is put in its place, 0 ... 1.
+typedef struct {
+  lanes red, green, blue, depth, distance_m, layer, done;
+} Marched;
+
+// Puts what lies before a layer behind what is seen so far.
+INLINE void put_before(Marched* marched, lanes index, Sight* sight) {
+  const lanes share = least(most(index - marched->layer, marched->done), (lanes)1.0f);
+  const lanes depth = (share - marched->done) * marched->depth;
+  if (!any_lane(mask_of(depth > 0.0f))) return;
+  const lanes through = sight->through * exp_of(-depth), opacity = sight->through - through;
+  sight->red = fma(opacity, marched->red, sight->red);
+  sight->green = fma(opacity, marched->green, sight->green);
+  sight->blue = fma(opacity, marched->blue, sight->blue);
+  sight->distance_m = fma(opacity, marched->distance_m, sight->distance_m);
+  sight->through = through;
+  marched->done = share;
+}
+
+// Mixes what lies in a layer into it.
+INLINE void mix_in(Marched* marched, lanes index, Layer* layer) {
+  const lanes share = least(most(index + 1.0f - marched->layer, marched->done), (lanes)1.0f);
+  const lanes depth = (share - marched->done) * marched->depth;
+  layer->depth += depth;
+  layer->red = fma(depth, marched->red, layer->red);
+  layer->green = fma(depth, marched->green, layer->green);
+  layer->blue = fma(depth, marched->blue, layer->blue);
+  marched->done = share;
 }
 
 // Puts a layer behind what is seen so far, and empties it.
-INLINE void close_layer(Layer* layer, float distance_m, Sight* marched, Sight* sight) {
-  put_marched(marched, (lanes)distance_m, sight);
+INLINE void close_layer(Layer* layer, int index, float distance_m, Marched* marched, Sight* sight) {
+  put_before(marched, (lanes)(float)index, sight);
+  mix_in(marched, (lanes)(float)index, layer);
   const lanes through = sight->through * exp_of(-layer->depth);
   const lanes opacity = sight->through - through;
   const lanes mean = opacity / most(layer->depth, (lanes)1e-20f);
@@ -192,7 +210,7 @@ INLINE void fill(Sight* sight) {
 }
 
 INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const uint* list, int seen_count,
-                          __global const uint* textures, PixelRays rays, float farthest_m, Sight* marched) {
+                          __global const uint* textures, PixelRays rays, float farthest_m, Marched* marched) {
   Sight sight = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
   Layer here = {0.0f, 0.0f, 0.0f, 0.0f}, next = {0.0f, 0.0f, 0.0f, 0.0f};
   int index = 0;
@@ -204,12 +222,12 @@ INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const 
     if (!see_billboard(textures, &billboard, rays, &seen)) continue;
     const int nearer = max((int)billboard.layer, index);
     if (nearer > index) {
-      close_layer(&here, layer_m, marched, &sight);
+      close_layer(&here, index, layer_m, marched, &sight);
       if (nearer == index + 1) {
         here = next;
         next.depth = next.red = next.green = next.blue = 0.0f;
       } else {
-        close_layer(&next, behind(layer_m), marched, &sight);
+        close_layer(&next, index + 1, behind(layer_m), marched, &sight);
       }
       index = nearer;
       layer_m = billboard.layer_m;
@@ -223,9 +241,9 @@ INLINE Sight sight_of(__global const CloudBillboard* billboards, __global const 
     add_to(&here, &billboard, seen, 1.0f - share);
     add_to(&next, &billboard, seen, share);
   }
-  close_layer(&here, layer_m, marched, &sight);
-  close_layer(&next, behind(layer_m), marched, &sight);
-  put_marched(marched, (lanes)INFINITY, &sight);
+  close_layer(&here, index, layer_m, marched, &sight);
+  close_layer(&next, index + 1, behind(layer_m), marched, &sight);
+  put_before(marched, (lanes)INFINITY, &sight);
   return sight;
 }
 
@@ -264,14 +282,18 @@ __kernel void billboard_composite(__global const CloudBillboard* restrict billbo
       const int_lanes rows = up_to(row + BLOCK_ROW, params.height_px - 1);
       const lanes depth = gathered(scene_depth, rows * params.width_px + columns);
       const PixelRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), depth);
-      Sight marched_here = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
+      Marched marched_here = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
       if (has_marched) {
         const int_lanes place = rows * params.width_px + columns;
-        marched_here.red = gathered(marched, 4 * place);
-        marched_here.green = gathered(marched + 1, 4 * place);
-        marched_here.blue = gathered(marched + 2, 4 * place);
+        const lanes opacity = least(gathered(marched + 3, 4 * place), (lanes)MOST_OPACITY);
+        const lanes an_opacity = 1.0f / most(opacity, (lanes)1e-20f);
+        marched_here.red = an_opacity * gathered(marched, 4 * place);
+        marched_here.green = an_opacity * gathered(marched + 1, 4 * place);
+        marched_here.blue = an_opacity * gathered(marched + 2, 4 * place);
+        marched_here.depth = -log_of(1.0f - opacity);
         marched_here.distance_m = gathered(marched_m, place);
-        marched_here.through = 1.0f - gathered(marched + 3, 4 * place);
+        marched_here.layer =
+            log_of(fma(marched_here.distance_m, (lanes)(CLOUD_LAYER_GROWTH / CLOUD_LAYER_M), (lanes)1.0f)) / CLOUD_LAYER_GROWTH;
       }
       const Sight sight = sight_of(billboards, list + first[tile], seen[tile], textures, rays, farthest_of(rays.scene_m),
                                    &marched_here);

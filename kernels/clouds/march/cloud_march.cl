@@ -82,9 +82,10 @@ INLINE lanes crossing(lanes direction, float block_m) {
   return block_m / select(direction, (lanes)1e-9f, mask_of(fabs(direction) < 1e-9f));
 }
 
-// What has been seen of clouds: light of the scaled medium of each colour, and depth of the true one.
+// What has been seen of a cloud: light of the scaled medium of each colour, what that lets through, and depth of the true
+// one.
 typedef struct {
-  lanes red, green, blue, distance_m;
+  lanes light[3], distance_m;
   lanes kept[CHANNELS];
   lanes depth;
 } March;
@@ -103,10 +104,10 @@ typedef struct {
   __global const float *sources;
 } MarchedArrays;
 
-// Goes through a volume. `arrays` are those of its slot.
+// Goes through a volume behind others of this depth, where rays still go on. `arrays` are those of its slot.
 INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, const CloudScattering look,
                           __global const CloudLightParams *restrict light, MarchedArrays arrays, CloudImageParams params,
-                          PixelRays rays, March *march) {
+                          PixelRays rays, int_lanes goes_on, lanes depth_before, March *march) {
   const float3 eye_m = in_volume(volume, (float3)(params.eye_x_m, params.eye_y_m, params.eye_z_m));
   const float low_x = volume.low_x - eye_m.x, low_y = volume.low_y - eye_m.y, low_z = volume.low_z - eye_m.z;
   const lanes ray_x = fma(rays.x, (lanes)volume.right_x, fma(rays.y, (lanes)volume.right_y, rays.z * volume.right_z));
@@ -116,7 +117,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
   clip(ray_x, low_x, low_x + (float)volume.size_x * volume.cell_m, &enter, &leave);
   clip(ray_y, low_y, low_y + (float)volume.size_y * volume.cell_m, &enter, &leave);
   clip(ray_z, low_z, low_z + (float)volume.size_z * volume.cell_m, &enter, &leave);
-  int_lanes goes_on = mask_of(enter < leave) & mask_of(most_kept(march) > LEAST_KEPT);
+  goes_on &= mask_of(enter < leave);
   if (!any_lane(goes_on)) return;
 
   lanes angle_places[CLOUD_SUNS];
@@ -160,7 +161,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
       const lanes half_piece = 0.5f * piece;
       const Trilinear at = trilinear_at(fma(half_piece, speed_x, x), fma(half_piece, speed_y, y), fma(half_piece, speed_z, z), volume.size_x,
                                         volume.size_y, volume.size_z);
-      const lanes extinction = select((lanes)0.0f, volume.share * sampled(arrays.density, 1, at), holds);
+      const lanes extinction = select((lanes)0.0f, sampled(arrays.density, 1, at), holds);
       if (any_lane(mask_of(extinction > 0.0f))) {
         const lanes middle = way + half_piece;
         if (any_lane(mask_of(extinction > 0.0f) & mask_of(middle > sourced_to))) {
@@ -181,7 +182,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
           sourced_to = way + source_m;
         }
         lanes shown[3] = {shared[0], shared[1], shared[2]}, lit[CHANNELS];
-        const lanes eye_depth = fma(extinction, half_piece, march->depth);
+        const lanes eye_depth = fma(extinction, half_piece, depth_before + march->depth);
         for (int sun = 0; sun < light->sun_count; ++sun) {
           const lanes sun_depth = sampled(arrays.depths + sun * CLOUD_MARCH_CELLS, 1, at);
           for (int channel = 0; channel < CHANNELS; ++channel)
@@ -198,9 +199,8 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
           given[channel] = march->kept[channel] * (1.0f - through) * albedo[channel] / scaled[channel];
           march->kept[channel] *= through;
         }
-        march->red = fma(given[0], shown[0], march->red);
-        march->green = fma(given[CHANNELS / 2], shown[1], march->green);
-        march->blue = fma(given[CHANNELS - 1], shown[2], march->blue);
+        for (int colour = 0; colour < 3; ++colour)
+          march->light[colour] = fma(given[CHANNELS == 1 ? 0 : colour], shown[colour], march->light[colour]);
         march->distance_m =
             fma(exp_of(-march->depth) - exp_of(-march->depth - depth), middle, march->distance_m);
         march->depth += depth;
@@ -238,39 +238,52 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
       const int_lanes rows = up_to(row + BLOCK_ROW, params.height_px - 1);
       const lanes scene = gathered(scene_depth, rows * params.width_px + columns);
       const PixelRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), scene);
-      March march;
-      march.red = march.green = march.blue = march.distance_m = march.depth = 0.0f;
-      for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
+      const lanes up = clamp(fma(rays.y, (lanes)(0.5f / LEVEL_SINE), (lanes)0.5f), (lanes)0.0f, (lanes)1.0f);
+      // Of the scaled medium and of the true one.
+      lanes kept[3] = {1.0f, 1.0f, 1.0f}, through = 1.0f;
+      lanes light[3] = {0.0f, 0.0f, 0.0f}, distance = 0.0f;
       for (int i = 0; i < volume_count; ++i) {
         const CloudMarchVolume volume = volumes[i];
         const size_t slot = volume.slot;
         const CloudScattering look = looks[volume.cloud];
-        __global const CloudLightParams *light = lights + volume.cloud;
+        __global const CloudLightParams *lit_by = lights + volume.cloud;
         const MarchedArrays arrays = {
-            density + slot * CLOUD_MARCH_CELLS, depths + slot * light->sun_count * CLOUD_MARCH_CELLS,
+            density + slot * CLOUD_MARCH_CELLS, depths + slot * lit_by->sun_count * CLOUD_MARCH_CELLS,
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
             blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
-        march_through(volume, grids[volume.cloud], look, light, arrays, params, rays, &march);
+        March march;
+        march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
+        for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
+        const int_lanes goes_on = mask_of(most(kept[0], most(kept[1], kept[2])) > LEAST_KEPT);
+        march_through(volume, grids[volume.cloud], look, lit_by, arrays, params, rays, goes_on, -log_of(most(through, (lanes)1e-30f)),
+                      &march);
+        if (!any_lane(mask_of(march.depth > 0.0f))) continue;
+        const float sky[3] = {lit_by->sky_red, lit_by->sky_green, lit_by->sky_blue};
+        const float ground[3] = {lit_by->ground_red, lit_by->ground_green, lit_by->ground_blue};
+        // Billboards show the rest of the cloud, and behind a part of it is not the sky, but the rest.
+        const lanes own_through = exp_of(-march.depth), seen_through = exp_of(-volume.share * march.depth);
+        const lanes share = (1.0f - seen_through) / most(1.0f - own_through, (lanes)1e-6f);
+        const lanes opacity = through * (1.0f - seen_through);
+        distance = fma(opacity / most(1.0f - own_through, (lanes)1e-6f), march.distance_m, distance);
+        const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
+        for (int colour = 0; colour < 3; ++colour) {
+          lanes own_kept = march.kept[CHANNELS == 1 ? 0 : colour];
+          // What is as good as full is taken as full of what it has shown.
+          const lanes own_light = march.light[colour] * select((lanes)1.0f, 1.0f / (1.0f - own_kept), is_full);
+          const lanes scattered = select(own_kept - own_through, (lanes)0.0f, is_full);
+          const lanes beyond = mixed((lanes)ground[colour], (lanes)sky[colour], up);
+          light[colour] = fma(kept[colour] * share, fma((1.0f - volume.share) * scattered, beyond, own_light), light[colour]);
+          kept[colour] *= fma(volume.share, scattered, seen_through);
+        }
+        through *= seen_through;
       }
-      // What is as good as full is taken as full of what it has shown.
-      const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
-      for (int channel = 0; channel < CHANNELS; ++channel) {
-        const lanes scale = select((lanes)1.0f, 1.0f / (1.0f - march.kept[channel]), is_full);
-        if (channel == 0) march.red *= scale;
-        if (channel == CHANNELS / 2) march.green *= scale;
-        if (channel == CHANNELS - 1) march.blue *= scale;
-        march.kept[channel] = select(march.kept[channel], (lanes)0.0f, is_full);
+      if (any_lane(mask_of(through < 1.0f))) {
+        __global const CloudLightParams *lit_by = lights + volumes[volume_count - 1].cloud;
+        light[0] = fma(kept[0] - through, mixed((lanes)lit_by->ground_red, (lanes)lit_by->sky_red, up), light[0]);
+        light[1] = fma(kept[1] - through, mixed((lanes)lit_by->ground_green, (lanes)lit_by->sky_green, up), light[1]);
+        light[2] = fma(kept[2] - through, mixed((lanes)lit_by->ground_blue, (lanes)lit_by->sky_blue, up), light[2]);
       }
-      Sight sight = {march.red, march.green, march.blue, march.distance_m, exp_of(-march.depth)};
-      if (any_lane(mask_of(march.depth > 0.0f))) {
-        const CloudLightParams light = lights[volumes[0].cloud];
-        const lanes up = clamp(fma(rays.y, (lanes)(0.5f / LEVEL_SINE), (lanes)0.5f), (lanes)0.0f, (lanes)1.0f);
-        sight.red = fma(march.kept[0] - sight.through, mixed((lanes)light.ground_red, (lanes)light.sky_red, up), sight.red);
-        sight.green = fma(march.kept[CHANNELS / 2] - sight.through,
-                          mixed((lanes)light.ground_green, (lanes)light.sky_green, up), sight.green);
-        sight.blue = fma(march.kept[CHANNELS - 1] - sight.through,
-                         mixed((lanes)light.ground_blue, (lanes)light.sky_blue, up), sight.blue);
-      }
+      const Sight sight = {light[0], light[1], light[2], distance, through};
       write_block(sight, column, row, params, image, distance_m);
     }
   }
