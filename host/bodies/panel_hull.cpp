@@ -116,9 +116,10 @@ double plane_of(const std::vector<Triangle>& triangles) {
   return area;
 }
 
-/// About this many panels at this height inside the section of the hull there, their normals down. Water
-/// above them is too thin to resonate at the frequencies of the method.
-void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t count, PanelHull& hull) {
+/// About this many panels, fewer in a narrow section, at this height inside the section of the hull there,
+/// their normals down. Water above them is too thin to resonate at the frequencies of the method.
+void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t count, double least_side_m,
+           PanelHull& hull) {
   struct Segment {
     glm::dvec3 from, to;
   };
@@ -150,7 +151,7 @@ void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t 
     std::ranges::sort(walls);
     return walls;
   };
-  const double side_m = std::sqrt(std::abs(area) / static_cast<double>(count));
+  const double side_m = std::max(least_side_m, std::sqrt(std::abs(area) / static_cast<double>(count)));
   const auto cells = [&](double span) { return std::max(1, static_cast<int>(std::lround(span / side_m))); };
   const int columns = cells(high_x - low_x);
   // The ends lie a little within, where walls stand.
@@ -201,7 +202,9 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panel
   hull.origin_m = {middle.x, level_m, middle.z};
   const double share = 1.0 / std::sqrt(static_cast<double>(hull.images.size()));
   const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(panels)));
-  const TriangleMesh whole = wetted(mesh, hull, 1e-4 * std::cbrt(span.x * span.y * span.z));
+  const double near_m =
+      std::min(1e-4 * std::cbrt(span.x * span.y * span.z), 0.01 * (level_m - extent.low_m.y));
+  const TriangleMesh whole = wetted(mesh, hull, near_m);
   const std::vector<Triangle> fine = triangles_of(whole);
   const double volume_m3 = volume_of(fine);
   if (fine.empty() || !(volume_m3 > 0.0)) {
@@ -245,7 +248,7 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panel
   // centres of panels at the water line lie 0.3 sides or more below it: the cover's edge, where the velocity
   // is singular, must not come near them.
   const double depth_m = std::min({0.04 * std::min(high.x - low.x, breadth_m), -0.2 * low.y, 0.1 * side_m});
-  cover(triangles, -depth_m, count / 6 + 1, hull);
+  cover(triangles, -depth_m, count / 6 + 1, 0.8 * side_m, hull);
   return hull;
 }
 

@@ -118,6 +118,16 @@ TEST(PanelHullTest, RoughHullsHaveAboutAsManyPanels) {
   EXPECT_LT(hull.wetted_count, 500u);
 }
 
+// Fails if a plate gets a panel of its cover for each of its breadths, or a raft loses its thin sides.
+TEST(PanelHullTest, ThinHullsHaveAboutAsManyPanels) {
+  for (const auto& [sides_m, draught_m] :
+       {std::pair(glm::dvec3(10.0, 4.0, 1e-3), 2.0), std::pair(glm::dvec3(10.0, 0.5, 10.0), 1e-4)}) {
+    const PanelHull hull = panel_hull(test::box(sides_m), draught_m - 0.5 * sides_m.y, 270);
+    EXPECT_GT(hull.wetted_count, 100u);
+    EXPECT_LT(hull.panels.size(), 200u);
+  }
+}
+
 // A floating hemisphere of radius a, of its displaced mass: heave 1 / 2 at infinity, 0.8764 at
 // k a = 0.05 (Hulme 1982), surge 0.2732 at infinity and 1 / 2 at 0. Fails if an integral or the image is
 // wrong. The mesh's own faces are the panels, without a coarser hull. Limit 4 %, for their constant sources.
