@@ -214,6 +214,7 @@ std::string classic_header_fault(std::span<const std::byte> bytes) {
 
 // One block of values stays below this; a header that asks for more is damaged.
 constexpr std::size_t most_values = std::size_t{1} << 27;
+constexpr std::size_t most_texts = 4096;
 
 }  // namespace
 
@@ -346,6 +347,37 @@ std::vector<double> NetcdfFile::column(const NetcdfVariable& variable) const {
   }
   const std::size_t start = 0;
   return values(variable, {&start, 1}, variable.lengths);
+}
+
+std::vector<std::string> NetcdfFile::texts(const NetcdfVariable& variable) const {
+  nc_type type = NC_NAT;
+  check(nc_inq_vartype(id_, variable.id, &type), "reading");
+  const bool is_rows = type == NC_CHAR && !variable.lengths.empty();
+  if (!is_rows && type != NC_STRING) return {};
+  std::size_t count = 1;
+  for (std::size_t i = 0; i + (is_rows ? 1 : 0) < variable.lengths.size(); ++i) {
+    if (variable.lengths[i] > most_texts || (count *= variable.lengths[i]) > most_texts) {
+      fail(fmt::format("{} holds more than {} texts", variable.name, most_texts), damaged_hint);
+    }
+  }
+  std::vector<std::string> texts;
+  if (is_rows) {
+    std::vector<std::size_t> start(variable.lengths.size(), 0), one(variable.lengths.size(), 1);
+    one.back() = variable.lengths.back();
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t rest = i;
+      for (std::size_t axis = start.size() - 1; axis-- > 0; rest /= variable.lengths[axis])
+        start[axis] = rest % variable.lengths[axis];
+      texts.push_back(characters(variable, start, one));
+    }
+    return texts;
+  }
+  if (count == 0) return texts;
+  std::vector<char*> raw(count, nullptr);
+  check(nc_get_var_string(id_, variable.id, raw.data()), "reading");
+  for (const char* text : raw) texts.emplace_back(text == nullptr ? "" : text);
+  nc_free_string(count, raw.data());
+  return texts;
 }
 
 std::string NetcdfFile::characters(const NetcdfVariable& variable, std::span<const std::size_t> start,

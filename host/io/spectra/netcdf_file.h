@@ -48,6 +48,10 @@ class NetcdfFile {
   std::string characters(const NetcdfVariable& variable, std::span<const std::size_t> start,
                          std::span<const std::size_t> count) const;
 
+  /// All texts of a variable of strings, or of characters whose last dimension is the length of each; empty
+  /// if it holds numbers.
+  std::vector<std::string> texts(const NetcdfVariable& variable) const;
+
   /// Size of the file in bytes.
   std::size_t size() const { return size_; }
 

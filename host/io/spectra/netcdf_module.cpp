@@ -5,8 +5,10 @@
 namespace offing::spectra {
 namespace {
 
-constexpr NetcdfModule table{
-    .parse_netcdf = parse_netcdf, .read_variables = read_netcdf_variables, .create = create_netcdf};
+constexpr NetcdfModule table{.parse_netcdf = parse_netcdf,
+                             .read_variables = read_netcdf_variables,
+                             .read_arrays = read_netcdf_arrays,
+                             .create = create_netcdf};
 
 }  // namespace
 }  // namespace offing::spectra

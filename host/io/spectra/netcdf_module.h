@@ -10,6 +10,7 @@ namespace offing::spectra {
 struct NetcdfModule {
   decltype(&spectra::parse_netcdf) parse_netcdf;
   decltype(&spectra::read_netcdf_variables) read_variables;
+  decltype(&spectra::read_netcdf_arrays) read_arrays;
   decltype(&spectra::create_netcdf) create;
 };
 
