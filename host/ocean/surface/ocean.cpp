@@ -467,6 +467,18 @@ OceanComposeParams Ocean::State::grid_in_patches(const SampleGrid& grid) {
   return params;
 }
 
+namespace {
+
+/// Where a grid's samples lie in each window; one that says nothing where there is none.
+ocl::Buffer<WakeSamples> samples_in_wakes(const ocl::Device& device, const WakeMaps& wakes,
+                                          const SampleGrid& grid) {
+  std::vector<WakeSamples> samples = wakes.samples_of(grid);
+  samples.resize(std::max<std::size_t>(samples.size(), 1));
+  return ocl::Buffer<WakeSamples>(device, samples, "samples in wakes");
+}
+
+}  // namespace
+
 ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
   State& state = *state_;
   OceanComposeParams params = state.grid_in_patches(grid);
@@ -479,9 +491,7 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   const std::size_t count = columns * rows;
   const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
-  std::vector<WakeSamples> wake_samples = state.wakes->samples_of(grid);
-  wake_samples.resize(std::max<std::size_t>(wake_samples.size(), 1));
-  const ocl::Buffer<WakeSamples> samples_buffer(state.device, wake_samples, "samples in wakes");
+  const ocl::Buffer<WakeSamples> samples_buffer = samples_in_wakes(state.device, *state.wakes, grid);
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
   // Without Gerstner waves the cascades' own maps stand in for theirs, unread.
@@ -562,7 +572,8 @@ std::vector<float> Ocean::read_composed_foam(const SampleGrid& grid) {
   state.foam_compose->launch(
       {{columns, rows, 1}}, foam, surface.gradient(),
       params.gerstner_pitch > 0 ? state.gerstner_surface->gradient() : surface.gradient(), gathering_buffer,
-      params_buffer, state.parameters.size, composed);
+      state.wakes->shown(), state.wakes->layers(), samples_in_wakes(state.device, *state.wakes, grid),
+      static_cast<int>(state.wakes->count()), params_buffer, state.parameters.size, composed);
   return composed.read();
 }
 

@@ -154,7 +154,8 @@ class Ocean {
   ComposedFields read_composed(const SampleGrid& grid, SlopeRule slopes = SlopeRule::of_displaced_surface);
 
   /// Foam of the whole sea at the time of the last at(), [rows][columns], 0 ... 1: what any of the cascades
-  /// makes, gathered by longer waves. Costs and errors are those of read_foam() and read_composed().
+  /// makes, gathered by longer waves, and what wakes have. Costs and errors are those of read_foam() and
+  /// read_composed().
   std::vector<float> read_composed_foam(const SampleGrid& grid);
 
   /// The water at points of the world at the time of the last at(): the surface that read_composed()

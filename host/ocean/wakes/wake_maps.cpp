@@ -20,7 +20,10 @@ std::size_t texels_of(const WakeLayer& layer) {
 }  // namespace
 
 WakeMaps::WakeMaps(const ocl::Device& device)
-    : device_(device), maps_(device, 4, "wake maps"), layers_buffer_(device, 1, "wake layers") {}
+    : device_(device),
+      maps_(device, 4, "wake maps"),
+      shown_(device, 4, "shown wakes"),
+      layers_buffer_(device, 1, "wake layers") {}
 
 void WakeMaps::at(std::span<WakeWindow> windows, double time_s,
                   const WakeWindow::AddDisplaced& add_displaced) {
@@ -49,13 +52,18 @@ void WakeMaps::at(std::span<WakeWindow> windows, double time_s,
     texels += texels_of(layers_.back());
   }
   if (layers_.empty()) return;
-  if (maps_.size() < 4 * texels) maps_ = ocl::Buffer<float>(device_, 4 * texels, "wake maps");
+  if (maps_.size() < 4 * texels) {
+    maps_ = ocl::Buffer<float>(device_, 4 * texels, "wake maps");
+    shown_ = ocl::Buffer<float>(device_, 4 * texels, "shown wakes");
+  }
   if (layers_buffer_.size() < layers_.size()) {
     layers_buffer_ = ocl::Buffer<WakeLayer>(device_, layers_.size(), "wake layers");
   }
   layers_buffer_.write(layers_);
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    windows[i].draw(time_s, maps_, static_cast<std::size_t>(layers_[i].first_texel), add_displaced);
+    const auto first = static_cast<std::size_t>(layers_[i].first_texel);
+    windows[i].draw(time_s, maps_, first, add_displaced);
+    windows[i].show(time_s, maps_, shown_, first);
   }
 }
 

@@ -21,6 +21,8 @@ class WakeMaps {
   std::size_t count() const { return layers_.size(); }
   /// [windows] one after the other, each [n][n] float4 of WakeWindow::draw().
   const ocl::Buffer<float>& maps() const { return maps_; }
+  /// The same with foam, as WakeWindow::show() has it.
+  const ocl::Buffer<float>& shown() const { return shown_; }
   /// Where each window lies; one that says nothing where there is none.
   const ocl::Buffer<WakeLayer>& layers() const { return layers_buffer_; }
   const std::vector<WakeLayer>& layer_values() const { return layers_; }
@@ -46,7 +48,7 @@ class WakeMaps {
   ocl::Device device_;
   std::vector<WakeLayer> layers_;
   std::vector<Place> places_;
-  ocl::Buffer<float> maps_;
+  ocl::Buffer<float> maps_, shown_;
   ocl::Buffer<WakeLayer> layers_buffer_;
 };
 

@@ -26,6 +26,11 @@ constexpr double largest_courant = 0.55;
 // less than half as much. Waves keep 99 % of their height for 100 s.
 constexpr double fade_per_s = 1e-4;
 constexpr std::size_t most_hulls = 1024;
+// Foam is made this often or at every step: the hull moves by little in between.
+constexpr double foam_step_s = 1.0 / 30.0;
+// Turbulence spreads foam: the wake of a ship of 5 m beam widens by a metre on either side in 10 s. Really it
+// widens faster at first and slower later, as the fifth root of the way (Milgram et al. 1993).
+constexpr double foam_diffusion_m2ps = 0.05;
 
 int parts_of(const WakeParameters& parameters) {
   if (parameters.method == WakeMethod::dispersive) return 1;
@@ -205,6 +210,7 @@ void require_valid_wake(const WakeParameters& parameters) {
   require_within("wake.rain.drops_per_m2s", parameters.rain.drops_per_m2s, 0.0,
                  1.0 / (square_m * square_m * parameters.step_s));
   require_within("wake.rain.hollow_m", parameters.rain.hollow_m, -1.0, 1.0);
+  require_within("wake.foam_decay_s", parameters.foam_decay_s, 0.0, 1000.0);
 }
 
 WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& parameters)
@@ -220,6 +226,8 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   hollows_ = kernel("ocean/wakes/wake_hollows.cl", "wake_hollows");
   displace_ = kernel("ocean/wakes/wake_displace.cl", "wake_displace");
   map_ = kernel("ocean/wakes/wake_map.cl", "wake_map");
+  foam_step_ = kernel("ocean/wakes/wake_foam.cl", "wake_foam");
+  shown_ = kernel("ocean/wakes/wake_shown.cl", "wake_shown");
   const WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
   kept_ = ocl::Buffer<float>(device, border.kept, "wake border");
   blend_ = ocl::Buffer<float>(device, border.blend, "wake blend");
@@ -227,6 +235,8 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   next_ = ocl::Buffer<float>(device, 2 * texels(), "wake step");
   displaced_ = ocl::Buffer<float>(device, texels(), "displaced depth");
   fields_ = ocl::Buffer<float>(device, 4 * texels(), "wake fields");
+  foam_ = ocl::Buffer<float>(device, 2 * texels(), "foam of wakes");
+  next_foam_ = ocl::Buffer<float>(device, 2 * texels(), "foam of wakes");
   drops_ = ocl::Buffer<float>(device, 2 * texels() / (WAKE_RAIN_SQUARE * WAKE_RAIN_SQUARE), "wake rain");
   if (parameters_.method == WakeMethod::verlet) {
     verlet_ = kernel("ocean/wakes/wake_verlet.cl", "wake_verlet");
@@ -268,7 +278,7 @@ void WakeWindow::scroll_to(const WaterPoint& centre) {
   const int columns = moved.first_column - grid_.first_column, rows = moved.first_row - grid_.first_row;
   grid_ = moved;
   if (columns == 0 && rows == 0) return;
-  scroll_.launch(whole(), grid_, columns, rows, state_);
+  scroll_.launch(whole(), grid_, columns, rows, state_, foam_);
 }
 
 void WakeWindow::reset(double time_s, const WaterPoint& centre) {
@@ -276,6 +286,8 @@ void WakeWindow::reset(double time_s, const WaterPoint& centre) {
   step_ = static_cast<std::int64_t>(std::floor(time_s / parameters_.step_s));
   scroll_to(centre);
   state_.fill(0.0f);
+  foam_.fill(0.0f);
+  foam_step_number_.reset();
 }
 
 void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced) {
@@ -303,22 +315,35 @@ void WakeWindow::displace(const std::vector<WakeHull>& hulls) {
     shapes.push_back(device_hull(hull, grid_, parameters_.cell_m()));
   }
   if (displaced_by_ && are_same(displaced_by_->hulls, shapes) && are_same(displaced_by_->grid, grid_)) return;
-  if (drop_m_ == 0.0f) {
-    displaced_.fill(0.0f);
-  } else {
-    rain();
-  }
+  displaced_.fill(0.0f);
   for (const WakeHullShape& hull : shapes) {
     const HullCells cells = cells_of(hull, grid_);
     if (cells.columns <= 0 || cells.rows <= 0) continue;
     displace_.launch({{static_cast<std::size_t>(cells.columns), static_cast<std::size_t>(cells.rows), 1}},
                      grid_, hull, cells.first_column, cells.first_row, samples_of(hull, grid_), displaced_);
   }
-  displaced_by_.reset();
-  if (drop_m_ == 0.0f) displaced_by_ = DisplacedBy{.hulls = std::move(shapes), .grid = grid_};
+  displaced_by_ = DisplacedBy{.hulls = std::move(shapes), .grid = grid_};
+}
+
+void WakeWindow::make_foam() {
+  if (parameters_.foam_decay_s == 0.0) return;
+  const auto every = std::max<std::int64_t>(std::llround(foam_step_s / parameters_.step_s), 1);
+  if (step_ % every != 0) return;
+  const double since_s = static_cast<double>(every) * parameters_.step_s;
+  const double cell_m = parameters_.cell_m();
+  // Explicit diffusion is stable up to a quarter.
+  const double spread = std::min(foam_diffusion_m2ps * since_s / (cell_m * cell_m), 0.2);
+  foam_step_.launch(whole(), grid_, state_, displaced_, foam_,
+                    static_cast<float>(std::exp(-since_s / parameters_.foam_decay_s)),
+                    static_cast<float>(spread), static_cast<float>(since_s), foam_step_number_ ? 0 : 1,
+                    next_foam_);
+  std::swap(foam_, next_foam_);
+  foam_step_number_ = step_;
 }
 
 void WakeWindow::rain() {
+  if (drop_m_ == 0.0f) return;
+  displaced_by_.reset();
   struct Seed {
     std::uint32_t low, high;
   };
@@ -340,6 +365,8 @@ void WakeWindow::step(const WakeForcing& forcing, double middle_s, const AddDisp
     add_displaced(middle_s, grid_, displaced_);
     displaced_by_.reset();
   }
+  make_foam();
+  rain();
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();
   } else {
@@ -389,14 +416,25 @@ void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first,
   map_.launch(whole(), grid_, fields_, blend_, static_cast<int>(first), map);
 }
 
+void WakeWindow::show(double time_s, const ocl::Buffer<float>& map, ocl::Buffer<float>& shown,
+                      std::size_t first) {
+  double left = 0.0;
+  if (foam_step_number_ && parameters_.foam_decay_s > 0.0) {
+    const double made_s = static_cast<double>(*foam_step_number_) * parameters_.step_s;
+    left = std::exp(-std::max(time_s - made_s, 0.0) / parameters_.foam_decay_s);
+  }
+  shown_.launch(whole(), grid_, map, foam_, static_cast<float>(left), blend_, static_cast<int>(first), shown);
+}
+
 WakeFields WakeWindow::read(double time_s) {
-  ocl::Buffer<float> map(device_, 4 * texels(), "wake map");
+  ocl::Buffer<float> map(device_, 4 * texels(), "wake map"), shown(device_, 4 * texels(), "wake shown");
   draw(time_s, map);
+  show(time_s, map, shown);
   WakeFields fields;
   fields.cell_m = parameters_.cell_m();
   fields.origin_x_m = grid_.first_column * fields.cell_m;
   fields.origin_z_m = grid_.first_row * fields.cell_m;
-  const auto texels_of = map.map();
+  const auto texels_of = map.map(), shown_of = shown.map();
   const int mask = parameters_.cells - 1;
   for (int row = 0; row < parameters_.cells; ++row) {
     for (int column = 0; column < parameters_.cells; ++column) {
@@ -407,6 +445,7 @@ WakeFields WakeWindow::read(double time_s) {
       fields.slope_x.push_back(texels_of[texel + 1]);
       fields.slope_z.push_back(texels_of[texel + 2]);
       fields.rise_mps.push_back(texels_of[texel + 3]);
+      fields.foam.push_back(shown_of[texel + 3]);
     }
   }
   return fields;

@@ -36,6 +36,7 @@ struct WakeParameters {
   Dispersion dispersion = {};  ///< of `dispersive`
   double speed_mps = 5.0;      ///< of all waves of `verlet`, c
   WakeRain rain = {};
+  double foam_decay_s = 10.0;  ///< time in which foam fades to 1/e, 0 ... 1000; 0: there is none
 
   double cell_m() const { return length_m / cells; }
 };
@@ -67,6 +68,7 @@ struct WakeFields {
   double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first sample
   double cell_m = 0.0;
   std::vector<float> height_m, slope_x, slope_z, rise_mps;
+  std::vector<float> foam;  ///< 0 ... 1
 };
 
 /// Its state, laid out alike: height, m, and the second field of its method, m. The sum of both squares is
@@ -80,8 +82,12 @@ struct WakeState {
 ///
 /// What disturbs it presses on the water as deep as it displaces it: a pressure of density, gravity and that
 /// depth. The water's volume in the window stays as it is, but for what the border absorbs. Waves are linear:
-/// they do not break, and do not mind the other waves of the sea. At the border they die away,
+/// they lose nothing by breaking, and do not mind the other waves of the sea. At the border they die away,
 /// and what is shown is faded to nothing there.
+///
+/// Foam covers 0 ... 1 of the water, as that of the sea does (FoamParameters). Hulls make it where their
+/// depth changes fast, and steep waves where they break (ocean/wakes/wake_foam.cl). It stays where it is,
+/// spreads by turbulence and fades.
 ///
 /// State is history: it is known at multiples of step_s, and advance_to() takes it from one to the next. The
 /// same steps give the same state, bit by bit, whatever times are asked for in between.
@@ -119,7 +125,11 @@ class WakeWindow {
   void draw(double time_s, ocl::Buffer<float>& map, std::size_t first = 0,
             const AddDisplaced& add_displaced = {});
 
-  /// The map of time_s in host memory.
+  /// Enqueues what a picture shows of a map that draw() made: [n][n] float4 (height m, dh/dx, dh/dz, foam),
+  /// from texel `first` on in both.
+  void show(double time_s, const ocl::Buffer<float>& map, ocl::Buffer<float>& shown, std::size_t first = 0);
+
+  /// The maps of time_s in host memory.
   WakeFields read(double time_s);
   WakeState read_state() const;
   /// Puts another state in its place; throws Error(bad_usage) unless it has n * n values.
@@ -129,6 +139,7 @@ class WakeWindow {
   void step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced);
   void displace(const std::vector<WakeHull>& hulls);
   void rain();
+  void make_foam();
   void advance_dispersive();
   void advance_verlet();
   ocl::LaunchShape whole() const;
@@ -142,9 +153,11 @@ class WakeWindow {
   std::int64_t step_ = 0;
   std::optional<fft::Fft2d> forward_, inverse_, fields_inverse_;
   ocl::Kernel scroll_, rain_, hollows_, displace_, press_, turn_, settle_, verlet_, spectrum_, differences_,
-      map_;
+      map_, foam_step_, shown_;
   ocl::Buffer<float> kept_, blend_, turn_table_, omega_;
   ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
+  ocl::Buffer<float> foam_, next_foam_;           // [n][n] float2 of ocean/wakes/wake_foam.cl
+  std::optional<std::int64_t> foam_step_number_;  // of foam_; none: nothing has made any
   // All that displaced_ holds; nothing where it holds more, or rain.
   struct DisplacedBy {
     std::vector<WakeHullShape> hulls;

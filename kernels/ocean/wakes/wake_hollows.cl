@@ -1,6 +1,6 @@
-// How deep raindrops press the water of a wake window.
-// In:  grid; drops of ocean/wakes/wake_rain.cl, and by how much each presses, m.
-// Out: displaced [n][n] m, to which ocean/wakes/wake_displace.cl adds hulls.
+// How deep raindrops press the water of a wake window, added to what presses there already.
+// In:    grid; drops of ocean/wakes/wake_rain.cl, and by how much each presses, m.
+// Inout: displaced [n][n] m.
 #include "ocean/wakes/wake_place.clh"
 
 static float rain_depth(__global const float2 *drops, int column, int row, int size, float depth_m) {
@@ -22,5 +22,5 @@ static float rain_depth(__global const float2 *drops, int column, int row, int s
 __kernel void wake_hollows(WakeGrid grid, __global const float2 *restrict drops, float drop_m,
                            __global float *restrict displaced) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);
-  displaced[(size_t)row * grid.size + column] = rain_depth(drops, column, row, grid.size, drop_m);
+  displaced[(size_t)row * grid.size + column] += rain_depth(drops, column, row, grid.size, drop_m);
 }

@@ -198,7 +198,7 @@ void main() {
   vec3 seen_light = 0.5 * (low.all + high.all);
   seen_light += shaded_sun_klx * sun_glitter(facets, seen, v, water.sun_direction, water.sun_radius_rad);
 
-  float coverage = 1.0 - bare;
+  float coverage = 1.0 - bare * bare_of_wakes(label_m, width_m);
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (water.sky_klx + shaded_sun_klx * max(dot(normal, water.sun_direction), 0.0));

@@ -74,7 +74,7 @@ void WaterMaps::prepare(world::World& world, Transfer& transfer) {
     const int cells = wakes->maps()->layer_values().front().size;
     const int windows = static_cast<int>(wakes->maps()->count());
     if (wakes_.size() != cells || wakes_.layers() != windows) wakes_ = MapTexture(cells, windows, 4);
-    uploads.push_back({wakes->maps()->maps(), &wakes_});
+    uploads.push_back({wakes->maps()->shown(), &wakes_});
   }
   glActiveTexture(GL_TEXTURE0);
   transfer.upload(uploads);

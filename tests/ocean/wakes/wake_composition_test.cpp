@@ -72,6 +72,38 @@ TEST(WakeCompositionTest, ComposedSeasHaveTheHeightsOfWindows) {
   }
 }
 
+// Fails if the foam of a sea is not that of its waves and of a window together, on the window's samples.
+TEST(WakeCompositionTest, ComposedSeasHaveTheFoamOfWindows) {
+  const ocl::Device device = ocl::Device::open();
+  HybridSea sea = hybrid_sea(device, 64);
+  sea.ocean.at(2.0);
+  std::vector<WakeWindow> windows;
+  windows.emplace_back(device, WakeParameters{.cells = 64, .length_m = 64.0});
+  windows[0].reset(0.0, {});
+  windows[0].advance_to(2.0, [](double time_s) {
+    return WakeForcing{
+        .hulls = {{.x_m = 8.0 * time_s - 8.0, .length_m = 9.0, .beam_m = 4.0, .draught_m = 1.0}}};
+  });
+  const auto maps = std::make_shared<WakeMaps>(device);
+  maps->at(windows, 2.0);
+  const WakeFields fields = windows[0].read(2.0);
+  const SampleGrid grid{.origin_x_m = fields.origin_x_m,
+                        .origin_z_m = fields.origin_z_m,
+                        .spacing_x_m = fields.cell_m,
+                        .spacing_z_m = fields.cell_m,
+                        .columns = 64,
+                        .rows = 64};
+  const std::vector<float> calm = sea.ocean.read_composed_foam(grid);
+  sea.ocean.set_wakes(maps);
+  const std::vector<float> foam = sea.ocean.read_composed_foam(grid);
+  float most = 0.0f;
+  for (std::size_t i = 0; i < foam.size(); ++i) {
+    ASSERT_NEAR(foam[i], 1.0 - (1.0 - calm[i]) * (1.0 - fields.foam[i]), 1e-4) << i;
+    most = std::max(most, fields.foam[i]);
+  }
+  EXPECT_GT(most, 0.5f);
+}
+
 // Fails if queries answer another sea than the one that is composed, or that a host has of it: at points of
 // which a third lie in the windows. Tolerances are those of surface_query_test.cpp: 1e-4 m is the query's
 // own.
@@ -114,6 +146,7 @@ TEST(WakeCompositionTest, MapsEndInNothing) {
     for (const int at : {i, 31 * 32 + i, 32 * i, 32 * i + 31}) {
       ASSERT_EQ(fields.height_m[static_cast<std::size_t>(at)], 0.0f);
       ASSERT_EQ(fields.slope_x[static_cast<std::size_t>(at)], 0.0f);
+      ASSERT_EQ(fields.foam[static_cast<std::size_t>(at)], 0.0f);
     }
     inside_m = std::max(
         inside_m, std::abs(static_cast<double>(fields.height_m[static_cast<std::size_t>(16 * 32 + i)])));
