@@ -9,11 +9,16 @@
 #define CLOUD_MARCH_BLOCK 4
 #define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
 
+// Edge of the cube of noise that lumps the density (host/clouds/light/lump_noise.h); a power of two.
+#define CLOUD_LUMP_TEXELS 64
+
 // The particles of a cloud between planes across the axes of its volume.
 typedef struct {
   float low_x, low_y, low_z, high_x, high_y, high_z;  // m, along these axes
   int first, end;                                     // of its particles; equal: it has none
   float edge_m;                                       // of a cell of its light's grid
+  float radius_m;                                     // of its particles, in the mean
+  float anchor_x, anchor_y, anchor_z;                 // m: a particle, which noise moves with
 } CloudMarchBounds;
 
 // The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that
@@ -28,11 +33,14 @@ typedef struct {
   int cloud;                        // whose it is
   int slot;                         // where its cells lie in arrays
   float share;                      // of the cloud that is marched, 0 ... 1; billboards show the rest
+  float lump_m;                     // edge of a texel of noise
+  float lumps;                      // how strong they are, 0 ... 1
+  float anchor_x, anchor_y, anchor_z;  // m, of the noise's origin in the axes of the particles
 } CloudMarchVolume;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(CloudMarchBounds) == 36, "no padding");
-static_assert(sizeof(CloudMarchVolume) == 76, "no padding");
+static_assert(sizeof(CloudMarchBounds) == 52, "no padding");
+static_assert(sizeof(CloudMarchVolume) == 96, "no padding");
 #endif
 
 #endif

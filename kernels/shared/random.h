@@ -38,6 +38,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_CLOUD_OCTAVES 0xb1000000u
 // Light traced through clouds: n and m are the low and high word of the path's number.
 #define OFFING_STREAM_CLOUD_PATHS 0xb3000000u
+// Lumps of marched clouds: n is a lattice point, m its octave.
+#define OFFING_STREAM_CLOUD_LUMPS 0xb4000000u
 // Growing hierarchies: n is the parent, m its level, index counts what is drawn.
 #define OFFING_STREAM_CLOUD_HIERARCHY 0xb1000001u
 // Particles: n is what is drawn, index the particle's id.

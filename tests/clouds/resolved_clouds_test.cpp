@@ -19,12 +19,13 @@ constexpr int width = 64, height = 48;
 /// Clouds of balls in one light, drawn by cameras.
 class Sky {
  public:
-  Sky(std::vector<CloudParticle> particles, const CloudIllumination& light)
+  Sky(std::vector<CloudParticle> particles, const CloudIllumination& light, double lumps = 0.0)
       : particles_(std::move(particles)),
         looks_(particles_.back().cloud + 1),
         buffer_(device_, particles_, "particles"),
         sprites_(device_, particles_.size(), "sprites"),
         order_(device_, particles_.size(), "order"),
+        resolved_(device_, lumps),
         picture_(device_, billboard_textures()) {
     light_.relight(buffer_, count(), light, looks_);
     resolved_.set(buffer_, light_);
@@ -65,7 +66,7 @@ class Sky {
   ocl::Buffer<CloudSprite> sprites_;
   ocl::Buffer<std::uint32_t> order_;
   ParticleLight light_{device_};
-  ResolvedClouds resolved_{device_};
+  ResolvedClouds resolved_;
   CloudImage picture_;
 };
 
@@ -209,6 +210,31 @@ TEST(ResolvedCloudsTest, NothingPopsWhereBillboardsTakeOver) {
   EXPECT_GT(billboards, 20);
   EXPECT_LT(worst, 2.0 / 255.0 * brightest);
   EXPECT_LT(worst_opacity, 2.0 / 255.0);
+}
+
+// Fails if lumps make clouds darker or clearer in the mean, or do not show: a ball is as opaque with them,
+// within 5 %, and less even.
+TEST(ResolvedCloudsTest, LumpsKeepTheMean) {
+  // Over the inner half of a ball, of depth 0.2: mean and variance of the depth.
+  const auto moments = [](double lumps) {
+    Sky sky({ball({0.0, 0.0, 0.0}, 200.0, 0.2)}, sunlight({{0.3, 1.0, 0.5}}), lumps);
+    const auto image = sky.draw(camera(900.0));
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+    for (int row = height / 2 - 8; row < height / 2 + 8; ++row) {
+      for (int column = width / 2 - 8; column < width / 2 + 8; ++column, ++count) {
+        const double depth = -std::log(1.0 - image[static_cast<std::size_t>(row * width + column)][3]);
+        sum += depth;
+        squares += depth * depth;
+      }
+    }
+    return std::pair(sum / count, squares / count - sum * sum / count / count);
+  };
+  const auto [even_mean, even_variance] = moments(0.0);
+  const auto [mean, variance] = moments(1.0);
+  RecordProperty("mean_1e6", static_cast<int>(1e6 * mean / even_mean));
+  EXPECT_NEAR(mean / even_mean, 1.0, 0.1);
+  EXPECT_GT(variance, 1.1 * even_variance);
 }
 
 }  // namespace

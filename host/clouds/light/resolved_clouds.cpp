@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "host/clouds/light/lump_noise.h"
 #include "host/ocl/program.h"
 
 namespace offing::clouds {
@@ -19,6 +20,9 @@ constexpr std::size_t most_volumes = 16;
 // Between the particles and the sides of a volume: half a cell, and what balls of the least radius stand out.
 constexpr double margin_cells = 2.5;
 
+// Edge of a texel of noise, in mean radii of particles.
+constexpr float lump_radii = 0.1f;
+
 int rounded_up(double cells, int step) {
   return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
 }
@@ -31,6 +35,8 @@ CloudMarchVolume volume_of(const CloudMarchBounds& bounds, const CloudMarchVolum
   const glm::dvec3 box_m = high_m - low_m;
   CloudMarchVolume volume = like;
   volume.cloud = cloud;
+  volume.lump_m = lump_radii * bounds.radius_m;
+  volume.anchor_x = bounds.anchor_x, volume.anchor_y = bounds.anchor_y, volume.anchor_z = bounds.anchor_z;
   for (double cell_m = std::cbrt(box_m.x * box_m.y * box_m.z / CLOUD_MARCH_CELLS);; cell_m *= 1.02) {
     volume.cell_m = static_cast<float>(cell_m);
     volume.low_x = static_cast<float>(low_m.x - margin_cells * cell_m);
@@ -83,8 +89,9 @@ double smooth(double low, double high, double value) {
 
 }  // namespace
 
-ResolvedClouds::ResolvedClouds(const ocl::Device& device)
+ResolvedClouds::ResolvedClouds(const ocl::Device& device, double lumps)
     : device_(device),
+      lumps_(lumps),
       density_tuning_(ocl::tuning_for(device.info(), "light_density")),
       cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
       group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
@@ -113,6 +120,7 @@ void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const Part
   light_ = &light;
   const LightFields fields = light.fields();
   axes_ = axes_toward(fields.first_sun);
+  axes_.lumps = static_cast<float>(lumps_);
   if (bounds_buffer_.size() < fields.clouds)
     bounds_buffer_ = ocl::Buffer<CloudMarchBounds>(device_, fields.clouds, "bounds of marched clouds");
   bounds_kernel_.launch({{fields.clouds * group_tuning_.group}, {group_tuning_.group}}, particles,
@@ -138,6 +146,7 @@ void ResolvedClouds::reserve(std::size_t slots) {
   if (sources_.size() < slots * vectors * light_grid_cells)
     sources_ = ocl::Buffer<std::array<float, 4>>(device_, slots * vectors * light_grid_cells,
                                                  "light of marched clouds");
+  if (noise_.size() == 0) noise_ = ocl::Buffer<float>(device_, lump_noise(), "lumps of clouds");
   slots_.resize(std::max(slots_.size(), slots));
   if (!is_new) return;
   for (Slot& slot : slots_) slot.cloud.reset();
@@ -229,8 +238,8 @@ void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams param
                           light.grids, light.absorption, light.glow, light.drift, eye.x, eye.y, eye.z,
                           sources_);
   kernels().march.launch(shape, volumes_buffer_, static_cast<int>(volumes_.size()), density_, depths_,
-                         blocks_, sources_, light.grids, light.looks, light.lights, light.phases, scene_depth,
-                         params, image, distance_m);
+                         blocks_, sources_, light.grids, light.looks, light.lights, light.phases, noise_,
+                         scene_depth, params, image, distance_m);
 }
 
 }  // namespace offing::clouds

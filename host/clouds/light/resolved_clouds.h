@@ -26,7 +26,8 @@ namespace offing::clouds {
 /// A volume takes 1 MB of the device, and 1 MB more for each sun.
 class ResolvedClouds {
  public:
-  explicit ResolvedClouds(const ocl::Device& device);
+  /// lumps: how strong those smaller than particles are, 0 (left out) to 1.
+  explicit ResolvedClouds(const ocl::Device& device, double lumps = 1.0);
 
   /// From now on these particles are resolved, in this light, by the calibrated model. Waits for the
   /// particles. Keeps references to both.
@@ -66,6 +67,7 @@ class ResolvedClouds {
   void make(const CloudMarchVolume& volume);
 
   ocl::Device device_;
+  double lumps_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, picture_tuning_;
   ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, descent_kernel_, beam_kernel_;
   std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
@@ -79,7 +81,7 @@ class ResolvedClouds {
   glm::dvec3 origin_m_{0.0};
   ocl::Buffer<CloudMarchBounds> bounds_buffer_;
   ocl::Buffer<CloudMarchVolume> volumes_buffer_;
-  ocl::Buffer<float> shares_, density_, depths_;
+  ocl::Buffer<float> shares_, density_, depths_, noise_;
   ocl::Buffer<std::int32_t> blocks_;
   ocl::Buffer<std::array<float, 4>> sources_;
 };

@@ -3,7 +3,7 @@
 // phase of the whole way (phase tables), and what was scattered before, of sources. Sky that is only scattered nearly
 // forward is seen too: the scaled medium lets more of it through than the true one.
 // In:  volumes [volume_count], the nearest first; of kernels/clouds/march density, depths, blocks and sources; grids, looks,
-//      lights, phases; the camera, with places in the axes of the volumes; scene_depth as billboard_composite.cl has it.
+//      lights, phases, noise of lumps; the camera, with places in the axes of the volumes; scene_depth as billboard_composite.cl has it.
 // Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], of their mean. Row 0 is at the bottom.
 #include "clouds/march/march_source.clh"
 #include "clouds/march/march_volume.clh"
@@ -17,6 +17,12 @@
 #define SOURCE_EDGES 0.3f
 // What lies behind this little of the scaled light is not looked at, and taken to be as what lies before.
 #define LEAST_KEPT 1e-2f
+// Lumps smaller than particles: what they add to the density and take from it, 1 in the mean, and pixels of a texel of
+// noise between which they fade in.
+#define LUMP_STRENGTH 1.0f
+#define LUMP_MEAN 1.063f
+#define FAINT_TEXEL_PX 0.25f
+#define CLEAR_TEXEL_PX 0.8f
 // Directions this near to level see sky and ground, mixed.
 #define LEVEL_SINE 0.05f
 
@@ -50,6 +56,22 @@ INLINE lanes sampled(__global const float *restrict values, int pitch, Trilinear
   const lanes high = mixed(mixed(gathered(values, first), gathered(values + pitch, first), at.x),
                            mixed(gathered(values + row, first), gathered(values + row + pitch, first), at.x), at.y);
   return mixed(low, high, at.z);
+}
+
+// Of noise that goes on at its sides, at a place in texels.
+INLINE lanes lump_at(__global const float *restrict noise, lanes x, lanes y, lanes z) {
+  const lanes low_x = floor(x), low_y = floor(y), low_z = floor(z);
+  const int last = CLOUD_LUMP_TEXELS - 1;
+  const int_lanes i = convert_int_lanes(low_x) & last, next_i = (i + 1) & last;
+  const int_lanes j = (convert_int_lanes(low_y) & last) * CLOUD_LUMP_TEXELS, next_j = (j + CLOUD_LUMP_TEXELS) & (last * CLOUD_LUMP_TEXELS);
+  const int plane = CLOUD_LUMP_TEXELS * CLOUD_LUMP_TEXELS;
+  const int_lanes k = (convert_int_lanes(low_z) & last) * plane, next_k = (k + plane) & (last * plane);
+  const lanes in_x = x - low_x, in_y = y - low_y;
+  const lanes low = mixed(mixed(gathered(noise, k + j + i), gathered(noise, k + j + next_i), in_x),
+                          mixed(gathered(noise, k + next_j + i), gathered(noise, k + next_j + next_i), in_x), in_y);
+  const lanes high = mixed(mixed(gathered(noise, next_k + j + i), gathered(noise, next_k + j + next_i), in_x),
+                           mixed(gathered(noise, next_k + next_j + i), gathered(noise, next_k + next_j + next_i), in_x), in_y);
+  return mixed(low, high, z - low_z);
 }
 
 // 1/sr, at a place of a table's rows and after a way of this depth (clouds/phase.clh).
@@ -99,7 +121,7 @@ INLINE lanes most_kept(const March *march) {
 }
 
 typedef struct {
-  __global const float *density, *depths, *phases;
+  __global const float *density, *depths, *phases, *noise;
   __global const int *blocks;
   __global const float *sources;
 } MarchedArrays;
@@ -141,6 +163,10 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
     albedo[channel] = 1.0f - look.absorbed_share;
     scaled[channel] = 1.0f - look.forward_share * albedo[channel];
   }
+  // Lumps stay with the cloud.
+  const float a_lump = 1.0f / volume.lump_m, lump_px = 0.5f * (float)params.height_px / params.half_height * volume.lump_m;
+  const float lump_x = a_lump * (params.eye_x_m - volume.anchor_x), lump_y = a_lump * (params.eye_y_m - volume.anchor_y),
+              lump_z = a_lump * (params.eye_z_m - volume.anchor_z);
   lanes way = enter, rough = PIECE_DEPTH * a_cell;
   // A ray crosses no more blocks and no more pieces of cells than these.
   const int most_pieces = 8 * (volume.size_x + volume.size_y + volume.size_z);
@@ -161,9 +187,18 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
       const lanes half_piece = 0.5f * piece;
       const Trilinear at = trilinear_at(fma(half_piece, speed_x, x), fma(half_piece, speed_y, y), fma(half_piece, speed_z, z), volume.size_x,
                                         volume.size_y, volume.size_z);
-      const lanes extinction = select((lanes)0.0f, sampled(arrays.density, 1, at), holds);
+      lanes extinction = select((lanes)0.0f, sampled(arrays.density, 1, at), holds);
       if (any_lane(mask_of(extinction > 0.0f))) {
         const lanes middle = way + half_piece;
+        const lanes texel_px = lump_px / most(middle, (lanes)1.0f);
+        if (volume.lumps > 0.0f && any_lane(mask_of(texel_px > FAINT_TEXEL_PX))) {
+          const lanes clear =
+              volume.lumps * clamp((texel_px - FAINT_TEXEL_PX) / (CLEAR_TEXEL_PX - FAINT_TEXEL_PX), (lanes)0.0f, (lanes)1.0f);
+          const lanes lump = lump_at(arrays.noise, fma(middle, rays.x * a_lump, (lanes)lump_x),
+                                     fma(middle, rays.y * a_lump, (lanes)lump_y), fma(middle, rays.z * a_lump, (lanes)lump_z));
+          extinction *= most(fma(LUMP_STRENGTH * clear, lump, (lanes)1.0f), (lanes)0.0f) /
+                        fma(clear, (lanes)(LUMP_MEAN - 1.0f), (lanes)1.0f);
+        }
         if (any_lane(mask_of(extinction > 0.0f) & mask_of(middle > sourced_to))) {
           const lanes source_at = way + 0.5f * source_m;
           const Trilinear in_grid = trilinear_at(
@@ -220,7 +255,7 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
                           __global const int *restrict blocks, __global const float *restrict sources,
                           __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
                           __global const CloudLightParams *restrict lights, __global const float *restrict phases,
-                          __global const float *restrict scene_depth, CloudImageParams params,
+                          __global const float *restrict noise, __global const float *restrict scene_depth, CloudImageParams params,
                           __global float *restrict image, __global float *restrict distance_m) {
 #if LANES == 1
   const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
@@ -250,7 +285,7 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
         const MarchedArrays arrays = {
             density + slot * CLOUD_MARCH_CELLS, depths + slot * lit_by->sun_count * CLOUD_MARCH_CELLS,
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
-            blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
+            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
         March march;
         march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
         for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;

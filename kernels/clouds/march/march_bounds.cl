@@ -7,27 +7,33 @@
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_bounds(
     __global const CloudParticle *restrict particles, __global const CloudGrid *restrict grids,
     const CloudMarchVolume axes, __global CloudMarchBounds *restrict bounds) {
-  __local float lows[3 * GROUP_SIZE], highs[3 * GROUP_SIZE];
+  __local float lows[3 * GROUP_SIZE], highs[3 * GROUP_SIZE], radii[GROUP_SIZE];
   const CloudGrid grid = grids[get_group_id(0)];
   const int item = (int)get_local_id(0);
   float3 low = (float3)(FLT_MAX), high = (float3)(-FLT_MAX);
+  float radius_sum = 0.0f;
   for (int i = grid.first + item; i < grid.end; i += GROUP_SIZE) {
     const float3 place = in_volume(axes, (float3)(particles[i].x, particles[i].y, particles[i].z));
     const float radius = particles[i].radius;
     if (!isfinite(place.x + place.y + place.z + radius)) continue;
     low = fmin(low, place - radius);
     high = fmax(high, place + radius);
+    radius_sum += radius;
   }
   lows[item] = low.x, lows[GROUP_SIZE + item] = low.y, lows[2 * GROUP_SIZE + item] = low.z;
   highs[item] = high.x, highs[GROUP_SIZE + item] = high.y, highs[2 * GROUP_SIZE + item] = high.z;
+  radii[item] = radius_sum;
   barrier(CLK_LOCAL_MEM_FENCE);
   if (item != 0) return;
   for (int other = 1; other < GROUP_SIZE; ++other) {
     low = fmin(low, (float3)(lows[other], lows[GROUP_SIZE + other], lows[2 * GROUP_SIZE + other]));
     high = fmax(high, (float3)(highs[other], highs[GROUP_SIZE + other], highs[2 * GROUP_SIZE + other]));
+    radius_sum += radii[other];
   }
   const bool has_any = low.x < high.x;
+  const CloudParticle anchor = particles[has_any ? grid.first : 0];
   const CloudMarchBounds found = {low.x, low.y, low.z, high.x, high.y, high.z, grid.first, has_any ? grid.end : grid.first,
-                                  cbrt(grid.cell_x * grid.cell_y * grid.cell_z)};
+                                  cbrt(grid.cell_x * grid.cell_y * grid.cell_z),
+                                  radius_sum / (float)max(grid.end - grid.first, 1), anchor.x, anchor.y, anchor.z};
   bounds[get_group_id(0)] = found;
 }
