@@ -24,17 +24,17 @@ typedef struct {
 // The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that
 // light goes from cell to cell.
 typedef struct {
-  float right_x, right_y, right_z;  // unit: the volume's x in the axes of the particles
-  float up_x, up_y, up_z;           // unit, its y
-  float sun_x, sun_y, sun_z;        // unit, its z: toward the first sun
-  float low_x, low_y, low_z;        // m, its least corner, along these axes from the particles' origin
-  float cell_m;                     // edge of a cell
-  int size_x, size_y, size_z;       // cells along each axis
-  int cloud;                        // whose it is
-  int slot;                         // where its cells lie in arrays
-  float share;                      // of the cloud that is marched, 0 ... 1; billboards show the rest
-  float lump_m;                     // edge of a texel of noise
-  float lumps;                      // how strong they are, 0 ... 1
+  float right_x, right_y, right_z;     // unit: the volume's x in the axes of the particles
+  float up_x, up_y, up_z;              // unit, its y
+  float sun_x, sun_y, sun_z;           // unit, its z: toward the first sun
+  float low_x, low_y, low_z;           // m, its least corner, along these axes from the particles' origin
+  float cell_m;                        // edge of a cell
+  int size_x, size_y, size_z;          // cells along each axis
+  int cloud;                           // whose it is
+  int slot;                            // where its cells lie in arrays
+  float share;                         // of the cloud that is marched, 0 ... 1; billboards show the rest
+  float lump_m;                        // edge of a texel of noise
+  float lumps;                         // how strong they are, 0 ... 1
   float anchor_x, anchor_y, anchor_z;  // m, of the noise's origin in the axes of the particles
 } CloudMarchVolume;
 
