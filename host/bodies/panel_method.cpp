@@ -512,6 +512,27 @@ std::vector<HullMatrix> retardation(const HydrodynamicData& data, double step_s,
   return result;
 }
 
+HullMatrix added_mass_by_damping(const HydrodynamicData& data) {
+  const std::vector<double>& frequencies = data.frequencies_radps;
+  // Waves die out within a few turns of the longest ones; beyond 3 times the highest frequency K has no part.
+  const double step = 2.0 * pi / (24.0 * frequencies.back());
+  const auto count =
+      static_cast<std::size_t>(std::ceil(std::min(4.0 * pi / frequencies.front() / step, 4000.0)));
+  const std::vector<HullMatrix> memory = retardation(data, step, count);
+  HullMatrix result{};
+  const std::size_t first = frequencies.size() / 2;
+  for (std::size_t k = first; k < frequencies.size(); ++k) {
+    HullMatrix value = data.added_mass[k];
+    for (std::size_t n = 1; n < count; ++n) {
+      const double weight = step * std::sin(frequencies[k] * step * static_cast<double>(n)) / frequencies[k];
+      for (std::size_t i = 0; i < value.size(); ++i) value[i] += weight * memory[n][i];
+    }
+    for (std::size_t i = 0; i < value.size(); ++i)
+      result[i] += value[i] / static_cast<double>(frequencies.size() - first);
+  }
+  return result;
+}
+
 HullMatrix restoring_matrix(const Submerged& below, const glm::dvec3& mass_centre_m,
                             const glm::dvec3& about_m, double density_kgpm3, double gravity_mps2) {
   const double weight = density_kgpm3 * gravity_mps2;

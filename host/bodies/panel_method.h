@@ -40,6 +40,10 @@ HullWrench excitation_at(const HydrodynamicData& data, double frequency_radps, d
 /// ...: B rises from 0 as its first values do, and falls beyond the last as a power that fits the last ones.
 std::vector<HullMatrix> retardation(const HydrodynamicData& data, double step_s, std::size_t count);
 
+/// Added mass at infinite frequency, of data that lack it (Ogilvie 1964): the mean over the upper half of the
+/// frequencies of A(omega) + 1 / omega integral of K(t) sin(omega t) dt.
+HullMatrix added_mass_by_damping(const HydrodynamicData& data);
+
 /// The restoring forces on a body that floats upright at rest, about about_m, per motion (N/m, N, N m).
 HullMatrix restoring_matrix(const Submerged& below, const glm::dvec3& mass_centre_m,
                             const glm::dvec3& about_m, double density_kgpm3, double gravity_mps2);

@@ -142,6 +142,18 @@ TEST(PanelMethodTest, HemisphereAtTheEndsOfTheSpectrum) {
   EXPECT_NEAR(data.added_mass.front()[7] / displaced, 0.8764, 0.035);
 }
 
+// Data bases often lack the infinite frequency. Fails if the sum over the memory has a wrong sign or factor:
+// then heave is off by a third. Off by MEASURED % (damping below, beyond and between the frequencies), limit
+// 5 %.
+TEST(PanelMethodTest, DampingGivesAddedMassAtInfinity) {
+  const HydrodynamicData data = data_of(test::box({10.0, 10.0, 8.0}), 0.0);
+  const HullMatrix found = added_mass_by_damping(data);
+  for (const std::size_t motion : {0u, 1u, 3u}) {
+    const double expected = data.added_mass_at_infinity[7 * motion];
+    EXPECT_NEAR(found[7 * motion] / expected, 1.0, 0.05) << motion;
+  }
+}
+
 // Haskind's relation and energy: the excitation by diffraction and the damping by pressure agree with what
 // radiation and waves far away give. Fails if an irregular frequency is left, or a sign, or a factor.
 // They differ by what panels cost: at most 10 % of the largest with 250 of them, 6 % with 1000 (measured on a

@@ -71,6 +71,26 @@ TEST(SceneBodies, AreLoadedByDraughtMassOrDensity) {
   EXPECT_EQ(cork.body.mass_centre_m, glm::dvec3(0.0, -0.4, 0.0));
 }
 
+// A data base is that of the hull as it floats: moments about a point from the still water, here 0.4 m below
+// it, in the axes of the mesh. Fails if it is not read, stays at the file's level, or a fault does not name
+// the place.
+TEST(SceneBodies, HaveHydrodynamicData) {
+  const std::string body = sea + hull + "[[body]]\nmesh = \"hull\"\ndraught_m = 1.5\nhydrodynamics = \"";
+  const world::BodySettings settings = bodies_of(body + OFFING_BOX + ".nc\"\n")[0];
+  ASSERT_TRUE(settings.body.hydrodynamics);
+  const HydrodynamicData& data = *settings.body.hydrodynamics;
+  EXPECT_NEAR(data.water_level_m, bodies::extent_of(settings.body.hull).low_m.y + 1.5, 1e-6);
+  EXPECT_NEAR(data.about_m.y, data.water_level_m - 0.4, 1e-9);
+  EXPECT_EQ(data.density_kgpm3, 1025.0);
+  // WAMIT's numbers are of hulls of another size: masses grow as lengths cubed.
+  const auto wamit =
+      bodies_of(body + OFFING_BOX + ".1\"\nhydrodynamics_length_m = 2\n")[0].body.hydrodynamics;
+  EXPECT_NEAR(wamit->added_mass[0][7] / data.added_mass[0][7], 8.0, 1e-3);
+  EXPECT_NE(fault_of(body + "none.nc\"\n").find("hydrodynamic"), std::string::npos)
+      << fault_of(body + "none.nc\"\n");
+  EXPECT_EQ(bodies_of(sea + hull + "[[body]]\nmesh = \"hull\"\n")[0].body.hydrodynamics, nullptr);
+}
+
 // Fails if a body is driven otherwise than its scene says: by forces from time 0 on, led there before; or
 // along its path at any time.
 TEST(SceneBodies, AreDriven) {

@@ -27,6 +27,8 @@ struct BodyScene {
   std::optional<double> propeller_m;  ///< diameter
   std::optional<double> rudder_m2;
   int hull_faces = 1000;
+  std::string hydrodynamics;            ///< file of added mass, damping and excitation
+  double hydrodynamics_length_m = 1.0;  ///< that WAMIT's numbers are divided by
 };
 
 }  // namespace offing::scene

@@ -15,6 +15,7 @@
 #include "host/scene/file/nearest_name.h"
 #include "host/scene/model/moving_number.h"
 #include "host/scene/model/named_file.h"
+#include "host/scene/prepare/body_hydrodynamics.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/schema/scene_elements.h"
 
@@ -164,6 +165,7 @@ world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size
   settings.map = std::make_shared<const bodies::HullMap>(bodies::map_of_hull(whole));
   settings.body = loaded(
       body, name, bodies::pressed_hull(whole, *settings.map, static_cast<std::size_t>(body.hull_faces)));
+  settings.body.hydrodynamics = read_body_hydrodynamics(scene, index, settings.body);
   const auto course = std::make_shared<const BodyHeading>(scene, index);
   const bodies::PathPlace start = course->place_at(-run_up_s(scene));
   settings.body.start = bodies::at_rest(settings.body, water_kgpm3, start.x_m, start.z_m, start.heading_rad);
