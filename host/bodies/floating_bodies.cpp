@@ -10,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/bodies/excitation.h"
 #include "host/bodies/hull.h"
 #include "host/bodies/hull_lift.h"
 #include "host/bodies/radiation.h"
@@ -21,6 +22,8 @@ namespace {
 
 // Of a question: times closer than this to it are its own.
 constexpr double time_tolerance = 1e-6;
+// Of the times of a question's sub-steps: forces of waves are those at that time.
+constexpr double middle_s = 0.5 * (FloatingBodies::steps_a_question - 1) / FloatingBodies::steps_per_s;
 
 BodyWater device_water(const BodyWaterParameters& water) {
   require_within("bodies.density_kgpm3", water.density_kgpm3, 1.0, 1e5);
@@ -78,7 +81,9 @@ BodyShape device_shape(const FloatingBody& body) {
           .first_memory_float = 0,
           .memory_samples = 0,
           .steps_a_sample = 1,
-          .first_velocity_float = 0};
+          .first_velocity_float = 0,
+          .first_wave_float = 0,
+          .wave_step_radps = 1.0f};
 }
 
 void set_lift(const HullLift& lift, BodyShape& shape) {
@@ -99,7 +104,8 @@ void append(const HullMatrix& matrix, std::vector<float>& floats) {
 
 FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBody> bodies,
                                const BodyWaterParameters& water)
-    : bodies_(std::move(bodies)),
+    : device_(device),
+      bodies_(std::move(bodies)),
       water_(device_water(water)),
       group_(ocl::tuning_for(device.info(), "body_advance").group) {
   if (bodies_.empty()) {
@@ -108,7 +114,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   }
   for (const FloatingBody& body : bodies_) require_valid(body);
 
-  std::vector<float> hull, memories;
+  std::vector<float> hull, memories, wave_tables;
   std::size_t velocities = 0;
   std::vector<std::uint32_t> owners, faces;
   for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
@@ -139,6 +145,10 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
       append(made.added_mass, memories);
       for (const HullMatrix& matrix : made.memory) append(matrix, memories);
       velocities += BODY_MOTIONS * made.memory.size();
+      const WaveTable waves = wave_table(body, water.density_kgpm3, water.gravity_mps2);
+      shape.first_wave_float = static_cast<int>(wave_tables.size());
+      shape.wave_step_radps = static_cast<float>(waves.step_radps);
+      wave_tables.insert(wave_tables.end(), waves.values.begin(), waves.values.end());
     }
     set_lift(lift_of_hull(body, water.density_kgpm3, added_mass), shape);
     host_shapes_.push_back(shape);
@@ -150,6 +160,11 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   memories.resize(std::max<std::size_t>(memories.size(), 1));
   memory_ = ocl::Buffer<float>(device, memories, "memories of hulls");
   velocities_ = ocl::Buffer<float>(device, std::max<std::size_t>(velocities, 1), "velocities of hulls");
+  wave_tables.resize(std::max<std::size_t>(wave_tables.size(), 1));
+  wave_tables_ = ocl::Buffer<float>(device, wave_tables, "waves on hulls");
+  excitation_ = ocl::Buffer<float>(device, size() * BODY_MOTIONS, "excitation of bodies");
+  excitation_.fill(0.0f);
+  waves_ = ocl::Buffer<BodyWave>(device, 1, "waves");
   owners_ = ocl::Buffer<std::uint32_t>(device, owners, "owners of hull vertices");
   faces_ = ocl::Buffer<std::uint32_t>(device, faces, "hull faces");
   points_ = ocl::Buffer<SurfaceQueryPoint>(device, vertices_, "points of hulls");
@@ -163,6 +178,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   ocl::Defines defines;
   defines.set("GROUP", static_cast<long long>(group_));
   points_kernel_ = ocl::Program::build(device, "bodies/hull_points.cl").kernel("hull_points");
+  waves_kernel_ = ocl::Program::build(device, "bodies/body_waves.cl", defines).kernel("body_waves");
   advance_kernel_ = ocl::Program::build(device, "bodies/body_advance.cl", defines).kernel("body_advance");
   reset(0.0);
 }
@@ -215,6 +231,28 @@ void FloatingBodies::reset(double time_s) {
   velocities_.write(had);
   reset_s_ = time_s_ = time_s;
   questions_ = 0;
+  upload_waves();
+}
+
+bool FloatingBodies::feels_waves() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const FloatingBody& body) { return body.hydrodynamics != nullptr; });
+}
+
+void FloatingBodies::set_waves(const ModalSea& sea) {
+  modes_ = leading_modes(sea);
+  upload_waves();
+}
+
+void FloatingBodies::upload_waves() {
+  if (modes_.empty() || !feels_waves()) {
+    excitation_.fill(0.0f);
+    return;
+  }
+  const std::vector<BodyWave> waves =
+      device_waves(modes_, reset_s_ + middle_s, steps_a_question / steps_per_s, water_.gravity_mps2);
+  if (waves_.size() < waves.size()) waves_ = ocl::Buffer<BodyWave>(device_, waves.size(), "waves");
+  waves_.write(waves);
 }
 
 void FloatingBodies::advance_to(double time_s, const WaterSurface& water, const Drive& drive) {
@@ -262,10 +300,17 @@ void FloatingBodies::ask_and_step(const WaterSurface& water, const Drive& drive)
   send_drives(drive);
   points_kernel_.launch({{vertices_}}, now_, hull_, owners_, points_);
   water(question_s(questions_), points_, vertices_, samples_);
+  if (!modes_.empty() && feels_waves()) {
+    const BodySea sea{.waves = static_cast<int>(modes_.size()),
+                      .question = static_cast<int>(questions_),
+                      .middle_s = static_cast<float>(middle_s)};
+    waves_kernel_.launch({{size() * group_}, {group_}}, shapes_, now_, waves_, wave_tables_, sea,
+                         excitation_);
+  }
   BodyWater water_now = water_;
   water_now.first_step = static_cast<int>(steps());
   advance_kernel_.launch({{size() * group_}, {group_}}, shapes_, drives_, now_, hull_, faces_, points_,
-                         samples_, memory_, water_now, velocities_, path_, before_, reports_);
+                         samples_, memory_, excitation_, water_now, velocities_, path_, before_, reports_);
   std::swap(now_, before_);
   ++questions_;
 }

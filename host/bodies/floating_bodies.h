@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "host/base/sea/modal_sea.h"
 #include "host/bodies/floating_body.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
@@ -55,6 +56,12 @@ class FloatingBodies {
 
   std::size_t size() const { return bodies_.size(); }
   const std::vector<FloatingBody>& bodies() const { return bodies_; }
+
+  /// Whether a body has hydrodynamic data, so that set_waves() tells it something.
+  bool feels_waves() const;
+  /// The waves of the water surface from now on, as sums: bodies with hydrodynamic data have the excitation
+  /// of the data in them, those that lead (leading_modes()). None at first.
+  void set_waves(const ModalSea& sea);
 
   /// Puts all bodies to their starts at this time.
   void reset(double time_s);
@@ -108,16 +115,21 @@ class FloatingBodies {
   void fetch();
   std::vector<BodyPose> poses_of(const Fetch& fetch) const;
   double question_s(std::int64_t question) const;
+  void upload_waves();
 
+  ocl::Device device_;
   std::vector<FloatingBody> bodies_;
   std::vector<BodyShape> host_shapes_;
+  std::vector<SeaMode> modes_;
   BodyWater water_;
   std::size_t group_;  // work-items that share the faces of a body
-  ocl::Kernel points_kernel_, advance_kernel_;
+  ocl::Kernel points_kernel_, waves_kernel_, advance_kernel_;
   std::size_t vertices_ = 0;
   ocl::Buffer<BodyShape> shapes_;
   ocl::Buffer<float> hull_;
   ocl::Buffer<float> memory_, velocities_;  // added mass and retardation; velocities that bodies have had
+  ocl::Buffer<float> wave_tables_, excitation_;  // what waves do to hulls; to bodies, after a question
+  ocl::Buffer<BodyWave> waves_;
   ocl::Buffer<std::uint32_t> owners_, faces_;
   ocl::Buffer<SurfaceQueryPoint> points_;
   ocl::Buffer<SurfaceQuerySample> samples_;

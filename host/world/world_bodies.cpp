@@ -133,6 +133,7 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
     pressers_.emplace_back(device, *each.map, each.body.mass_centre_m);
   }
   sea_.set_shoals(sea.shoals);
+  tell_waves();
   draught_m_ = total_draught_m();
   reset(start_s);
 }
@@ -140,6 +141,23 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
 void WorldBodies::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
   sea_.set_shoals(sea.shoals);
+  tell_waves();
+}
+
+void WorldBodies::set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
+  sea_.set_gerstner_waves(gerstner_waves);
+  tell_waves();
+}
+
+/// The waves that bodies float on.
+void WorldBodies::tell_waves() {
+  if (!bodies_.feels_waves()) return;
+  ModalSea sea = sea_.modes();
+  const double k_max_radpm = ocean::largest_wavenumber_radpm(query_.min_wavelength_m);
+  std::erase_if(sea.modes, [k_max_radpm](const SeaMode& mode) {
+    return std::hypot(mode.kx_radpm, mode.kz_radpm) > k_max_radpm;
+  });
+  bodies_.set_waves(sea);
 }
 
 void WorldBodies::reset(double start_s) {

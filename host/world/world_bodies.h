@@ -86,9 +86,7 @@ class WorldBodies {
   /// Another sea from the time on that has been simulated.
   void set_sea(const BodySea& sea);
   /// The same for its Gerstner waves alone. Throws what Ocean::set_gerstner_waves() throws.
-  void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
-    sea_.set_gerstner_waves(gerstner_waves);
-  }
+  void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves);
   /// The same for its shoals alone.
   void set_shoals(std::shared_ptr<const ocean::Shoals> shoals) { sea_.set_shoals(std::move(shoals)); }
 
@@ -118,6 +116,7 @@ class WorldBodies {
  private:
   void reset(double start_s);
   double total_draught_m() const;
+  void tell_waves();
   void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
                ocl::Buffer<SurfaceQuerySample>& samples);
 

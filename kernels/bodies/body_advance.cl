@@ -2,7 +2,7 @@
 // In:  shapes [bodies], drives [bodies][steps], states [bodies] at the first sub-step, water, all of shared/bodies.h;
 //      vertices [vertices][3] m in body axes; faces [faces][3]: vertices, anticlockwise seen from outside;
 //      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl);
-//      memory: added mass and retardation, as BodyShape says.
+//      memory: added mass and retardation, as BodyShape says; excitation [bodies][BODY_MOTIONS]: of body_waves.cl.
 // Inout: velocities: those that bodies have had, [memory_samples][BODY_MOTIONS] of each, a ring.
 // Out: path [steps][bodies]: the states after each sub-step; ends [bodies]: those after the last one; reports [bodies] of
 //      that one.
@@ -14,7 +14,8 @@
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
 // A body with a memory moves by Cummins' equation: (M + A) a + C(v) v + sum of K v' = force, in body axes, C being the
 // Coriolis terms of both masses (Fossen 2011, section 6.3), by Cayley's step, which keeps energy. Added mass and
-// retardation fade from half its displacement on, so that they are not those of a body in the air.
+// retardation fade from half its displacement on, so that they are not those of a body in the air. So does what waves do
+// to it besides the pressure below their surface.
 // Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are each weakened as an
 // implicit step would, so that neither turns a motion around. Speed and spin have bounds far above those of any hull
 // (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
@@ -172,6 +173,11 @@ static float displaced_by(const BodyWater* water, const Wrench* wrench) {
   return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
 }
 
+// Of what water does to a body at rest: less from half of its displacement on.
+static float wetted_share(const BodyShape* shape, const BodyWater* water, const Wrench* wrench) {
+  return clamp(2.0f * water->density_kgpm3 * displaced_by(water, wrench) / shape->mass_kg, 0.0f, 1.0f);
+}
+
 // Sway force and yaw moment of a hull that runs ahead, added to the drag of `sum`; they fade like added mass.
 static void add_lift(const BodyShape* shape, const BodyWater* water, const Motion* motion, Wrench* sum) {
   if (!(sum->wetted > 0.0f)) return;
@@ -181,8 +187,7 @@ static void add_lift(const BodyShape* shape, const BodyWater* water, const Motio
   const float3 speed =
       motion->velocity + cross(turned(motion->turn, motion->spin), arm) - sum->flow / sum->wetted;
   const float ahead = dot(speed, forward), sway = dot(speed, starboard), yaw = motion->spin.y;
-  const float density =
-      water->density_kgpm3 * clamp(2.0f * water->density_kgpm3 * displaced_by(water, sum) / shape->mass_kg, 0.0f, 1.0f);
+  const float density = water->density_kgpm3 * wetted_share(shape, water, sum);
   const float3 side =
       -density * (fabs(ahead) * shape->lift_force_by_sway * sway + ahead * shape->lift_force_by_yaw * yaw) * starboard;
   const float turning =
@@ -302,9 +307,8 @@ static void solve(Matrix* matrix, Motions* right) {
 // New velocities by Cummins' equation; `force` and `moment` in world axes, `past` what earlier velocities do. Sets
 // `radiation`, what radiation does.
 static void move_by_memory(const BodyShape* shape, const BodyWater* water, __global const float* memory,
-                           const Motions* past, float displaced, float3 force, float3 moment, Motion* motion,
+                           const Motions* past, float share, float3 force, float3 moment, Motion* motion,
                            Motions* next, Motions* radiation) {
-  const float share = clamp(2.0f * water->density_kgpm3 * displaced / shape->mass_kg, 0.0f, 1.0f);
   const float step = water->step_s;
   Motions before, momentum, push;
   set_motions(turned_back(motion->turn, motion->velocity), motion->spin, &before);
@@ -368,7 +372,7 @@ static void set_part_of_past(const BodyShape* shape, __global const float* memor
 
 static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
                     const Wrench* wrench, float3 propeller, float propeller_depth, __global const float* memory,
-                    const Motions* past, Motion* motion, Motions* radiation) {
+                    const Motions* past, const Motions* excitation, Motion* motion, Motions* radiation) {
   const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
   const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
@@ -385,7 +389,9 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
 
   if (shape->memory_samples > 0) {
     Motions next;
-    move_by_memory(shape, water, memory, past, displaced_by(water, wrench), force, moment, motion, &next, radiation);
+    force += along_of(excitation);
+    moment += about_of(excitation);
+    move_by_memory(shape, water, memory, past, wetted_share(shape, water, wrench), force, moment, motion, &next, radiation);
     motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, about_of(&next));
     const float4 turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
     motion->velocity = turned(turn, along_of(&next));
@@ -427,7 +433,7 @@ static void write_state(const BodyState* origin, const Motion* motion, float dis
 }
 
 static void write_report(const BodyWater* water, const Wrench* sum, float3 radiation, float3 radiation_moment,
-                         __global BodyReport* written) {
+                         const Motions* excitation, __global BodyReport* written) {
   const BodyReport report = {sum->pressure.x,
                              sum->pressure.y,
                              sum->pressure.z,
@@ -447,7 +453,13 @@ static void write_report(const BodyWater* water, const Wrench* sum, float3 radia
                              radiation.z,
                              radiation_moment.x,
                              radiation_moment.y,
-                             radiation_moment.z};
+                             radiation_moment.z,
+                             excitation->at[0],
+                             excitation->at[1],
+                             excitation->at[2],
+                             excitation->at[3],
+                             excitation->at[4],
+                             excitation->at[5]};
   *written = report;
 }
 
@@ -456,7 +468,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     __global const BodyState* restrict states, __global const float* restrict vertices,
     __global const uint* restrict faces, __global const SurfaceQueryPoint* restrict points,
     __global const SurfaceQuerySample* restrict samples, __global const float* restrict memory,
-    const BodyWater water, __global float* restrict velocities, __global BodyState* restrict path,
+    __global const float* restrict excitation, const BodyWater water, __global float* restrict velocities, __global BodyState* restrict path,
     __global BodyState* restrict ends, __global BodyReport* restrict reports) {
   __local Wrench sums[GROUP];
   __local Motions pasts[GROUP];
@@ -524,6 +536,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const Motions past = pasts[0];
       Motions radiation;
       set_motions((float3)(0.0f), (float3)(0.0f), &radiation);
+      const float share = wetted_share(&shape, &water, &total);
+      Motions waves;
+      for (int i = 0; i < BODY_MOTIONS; ++i) waves.at[i] = share * excitation[BODY_MOTIONS * body + i];
       const SurfaceQuerySample sample = samples[shape.propeller_vertex];
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
@@ -531,13 +546,13 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const BodyDrive drive = drives[body * water.steps + step];
       const float4 turn = motion.turn;
       advance(&shape, &water, &drive, &origin, &total, propeller, depth, memory + shape.first_memory_float, &past,
-              &motion, &radiation);
+              &waves, &motion, &radiation);
       now = motion;
       write_state(&origin, &motion, displaced_by(&water, &total), &path[step * bodies + body]);
       if (step == water.steps - 1) {
         write_state(&origin, &motion, displaced_by(&water, &total), &ends[body]);
         write_report(&water, &total, turned(turn, along_of(&radiation)), turned(turn, about_of(&radiation)),
-                     &reports[body]);
+                     &waves, &reports[body]);
       }
     }
   }

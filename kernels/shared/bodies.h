@@ -13,6 +13,11 @@
 #define BODY_MOTIONS 6  // along x, y, z, then about x, y, z, in body axes
 #define BODY_MATRIX 36
 
+// Tables of what waves do to a hull, [directions][frequencies][floats]: real parts of each motion's, then imaginary ones.
+#define BODY_WAVE_DIRECTIONS 48
+#define BODY_WAVE_FREQUENCIES 64
+#define BODY_WAVE_FLOATS 12
+
 // A body at one time.
 typedef struct {
   int tile_x, tile_z;
@@ -47,6 +52,10 @@ typedef struct {
   // memory_samples samples of its velocity, steps_a_sample sub-steps apart, the first one now. No samples: none.
   int first_memory_float, memory_samples, steps_a_sample;
   int first_velocity_float;  // of the velocities that it has had
+  // What waves do to it besides the pressure below their surface (host/bodies/excitation.h): its table, and the step from
+  // one of its frequencies to the next, the first one being this.
+  int first_wave_float;
+  float wave_step_radps;
 } BodyShape;
 
 // What drives a body in one sub-step.
@@ -73,7 +82,26 @@ typedef struct {
   // By the waves that it has made; without the water that it accelerates.
   float radiation_x_n, radiation_y_n, radiation_z_n;
   float radiation_moment_x_nm, radiation_moment_y_nm, radiation_moment_z_nm;
+  // By waves, besides the pressure below their surface: what pressures lose with depth, and what the hull scatters.
+  float excitation_x_n, excitation_y_n, excitation_z_n;
+  float excitation_moment_x_nm, excitation_moment_y_nm, excitation_moment_z_nm;
 } BodyReport;
+
+// A wave of the sea, A cos p: phases at label (0, 0) of tile (0, 0) and question 0, in 2^-32 turns.
+typedef struct {
+  unsigned int phase, phase_by_question, phase_by_tile_x, phase_by_tile_z;
+  float amplitude_m;
+  float kx_radpm, kz_radpm;
+  float frequency_radps;  // of a wave of this length on deep water
+  float direction_rad;    // of travel, from +x toward +z
+} BodyWave;
+
+// Those waves, for bodies/body_waves.cl.
+typedef struct {
+  int waves;
+  int question;    // since the start
+  float middle_s;  // of the sub-steps of a question
+} BodySea;
 
 // The water and the steps.
 typedef struct {
@@ -102,9 +130,11 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
 static_assert(sizeof(BodyState) == 64, "no padding");
-static_assert(sizeof(BodyShape) == 156, "no padding");
+static_assert(sizeof(BodyShape) == 164, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
-static_assert(sizeof(BodyReport) == 80, "no padding");
+static_assert(sizeof(BodyReport) == 104, "no padding");
+static_assert(sizeof(BodyWave) == 36, "no padding");
+static_assert(sizeof(BodySea) == 12, "no padding");
 static_assert(sizeof(BodyWater) == 24, "no padding");
 #endif
 

@@ -23,11 +23,12 @@ TEST(BodyLayoutTest, BodyState) {
 
 TEST(BodyLayoutTest, BodyShape) {
   using S = BodyShape;
-  EXPECT_EQ(on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping",
-                                    "rudder_lift", "lift_moment_by_yaw", "first_velocity_float"}),
-            (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
-                    offsetof(S, wave_damping), offsetof(S, rudder_lift), offsetof(S, lift_moment_by_yaw),
-                    offsetof(S, first_velocity_float)}));
+  EXPECT_EQ(
+      on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping", "rudder_lift",
+                              "lift_moment_by_yaw", "first_velocity_float", "wave_step_radps"}),
+      (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
+              offsetof(S, wave_damping), offsetof(S, rudder_lift), offsetof(S, lift_moment_by_yaw),
+              offsetof(S, first_velocity_float), offsetof(S, wave_step_radps)}));
 }
 
 TEST(BodyLayoutTest, BodyDrive) {
@@ -39,9 +40,10 @@ TEST(BodyLayoutTest, BodyDrive) {
 
 TEST(BodyLayoutTest, BodyReport) {
   using S = BodyReport;
-  EXPECT_EQ(on_device("BodyReport", {"pressure_x_n", "drag_x_n", "wetted_m2", "radiation_x_n"}),
+  EXPECT_EQ(on_device("BodyReport",
+                      {"pressure_x_n", "drag_x_n", "wetted_m2", "radiation_x_n", "excitation_moment_z_nm"}),
             (Layout{sizeof(S), offsetof(S, pressure_x_n), offsetof(S, drag_x_n), offsetof(S, wetted_m2),
-                    offsetof(S, radiation_x_n)}));
+                    offsetof(S, radiation_x_n), offsetof(S, excitation_moment_z_nm)}));
 }
 
 TEST(BodyLayoutTest, BodyWater) {
@@ -49,6 +51,19 @@ TEST(BodyLayoutTest, BodyWater) {
   EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps", "first_step"}),
             (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps),
                     offsetof(S, first_step)}));
+}
+
+TEST(BodyLayoutTest, BodyWave) {
+  using S = BodyWave;
+  EXPECT_EQ(on_device("BodyWave", {"phase", "phase_by_tile_z", "amplitude_m", "direction_rad"}),
+            (Layout{sizeof(S), offsetof(S, phase), offsetof(S, phase_by_tile_z), offsetof(S, amplitude_m),
+                    offsetof(S, direction_rad)}));
+}
+
+TEST(BodyLayoutTest, BodySea) {
+  using S = BodySea;
+  EXPECT_EQ(on_device("BodySea", {"waves", "question", "middle_s"}),
+            (Layout{sizeof(S), offsetof(S, waves), offsetof(S, question), offsetof(S, middle_s)}));
 }
 
 TEST(BodyLayoutTest, HullPress) {

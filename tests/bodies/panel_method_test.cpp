@@ -41,7 +41,7 @@ Loaded loaded_box(const glm::dvec3& sides_m, double draught_m, double below_m) {
           restoring_matrix(below, centre, centre, test::sea_density_kgpm3, gravity_mps2)};
 }
 
-double heave(const Loaded& box, double period_s) {
+double heave_of(const Loaded& box, double period_s) {
   return std::abs(linear_response(box.data, box.mass, box.restoring, 2.0 * pi / period_s, 0.0)[1]);
 }
 
@@ -190,18 +190,18 @@ TEST(PanelMethodTest, HaskindAgreesWithDiffraction) {
 // %.
 TEST(PanelMethodTest, CubeHeavesAsCapytaineSays) {
   const Loaded deep = loaded_box({10.0, 10.0, 10.0}, 5.0, 2.5);
-  EXPECT_NEAR(heave(deep, 14.0), 1.010, 0.005);
-  EXPECT_NEAR(heave(deep, 10.0), 1.048, 0.01);
-  EXPECT_NEAR(heave(deep, 8.0), 1.158, 0.02);
-  EXPECT_NEAR(heave(deep, 7.0), 1.377, 0.04);
-  EXPECT_NEAR(heave(deep, 6.0), 2.640, 0.15);
-  EXPECT_NEAR(heave(deep, 5.0), 0.853, 0.04);
-  EXPECT_NEAR(heave(deep, 4.0), 0.114, 0.01);
+  EXPECT_NEAR(heave_of(deep, 14.0), 1.010, 0.005);
+  EXPECT_NEAR(heave_of(deep, 10.0), 1.048, 0.01);
+  EXPECT_NEAR(heave_of(deep, 8.0), 1.158, 0.02);
+  EXPECT_NEAR(heave_of(deep, 7.0), 1.377, 0.04);
+  EXPECT_NEAR(heave_of(deep, 6.0), 2.640, 0.15);
+  EXPECT_NEAR(heave_of(deep, 5.0), 0.853, 0.04);
+  EXPECT_NEAR(heave_of(deep, 4.0), 0.114, 0.01);
   const Loaded shallow = loaded_box({10.0, 10.0, 10.0}, 2.0, 2.5);
-  EXPECT_NEAR(heave(shallow, 10.0), 1.004, 0.005);
-  EXPECT_NEAR(heave(shallow, 8.0), 1.015, 0.01);
-  EXPECT_NEAR(heave(shallow, 6.0), 1.084, 0.02);
-  EXPECT_NEAR(heave(shallow, 5.0), 1.284, 0.04);
+  EXPECT_NEAR(heave_of(shallow, 10.0), 1.004, 0.005);
+  EXPECT_NEAR(heave_of(shallow, 8.0), 1.015, 0.01);
+  EXPECT_NEAR(heave_of(shallow, 6.0), 1.084, 0.02);
+  EXPECT_NEAR(heave_of(shallow, 5.0), 1.284, 0.04);
 }
 
 // In long waves water is a plane that tilts and is accelerated down its slope s by g s: it turns a hull by
