@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "host/cli/bodies/bodies_commands.h"
 #include "host/cli/clouds/clouds_commands.h"
 #include "host/cli/common/devices_command.h"
 #include "host/cli/highlights/highlights_command.h"
@@ -23,6 +24,7 @@ void add_commands(CLI::App& app, GlobalOptions& options) {
   add_ocean_command(app, options);
   add_terrain_command(app, options);
   add_highlights_command(app, options);
+  add_bodies_command(app, options);
   add_clouds_command(app, options);
   add_scene_command(app, options);
   add_devices_command(app, options);
@@ -36,6 +38,7 @@ Examples:
   offing terrain info N42E001.hgt.zip
   offing terrain render S33W071.tif -o andes.png
   offing highlights scenes/knot.toml -o knot.glb
+  offing bodies rao scenes/afloat.toml -o rao.csv
   offing clouds build scenes/cumulus.toml -o cumulus.vdb
   offing scene new harbour.toml
 

@@ -15,6 +15,10 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::vector<std::string>> commands = {{},
+                                                        {"bodies"},
+                                                        {"bodies", "info"},
+                                                        {"bodies", "motion"},
+                                                        {"bodies", "rao"},
                                                         {"devices"},
                                                         {"highlights"},
                                                         {"ocean"},

@@ -63,6 +63,9 @@ CASES = [
     Case("offing ocean query", "-o", ["scene.toml", "--points", "points.csv"], [*SCENE_FILES, "points.csv"],
          "out.csv"),
     Case("offing highlights", "-o", ["scene.toml"], SOME_FILES, "out.json"),
+    Case("offing bodies motion", "-o", ["floats.toml", "--times", "0:0:1"], ["floats.toml"], "out.csv"),
+    Case("offing bodies rao", "-o", ["floats.toml"], ["floats.toml"], "out.csv"),
+    Case("offing bodies rao", "--plot", ["floats.toml", "-o", "fresh"], ["floats.toml"], "out.png"),
     Case("offing clouds build", "-o", ["scene.toml"], SOME_FILES, "out.vdb"),
     Case("offing clouds build", "-o", ["scene.toml", "--frames", "0:9"], SOME_FILES, "out.%04d.vdb", "out.0007.vdb"),
     Case("offing terrain render", "-o", ["map.asc", "--colour", "ramp.png"], ["map.asc", "map.prj", "ramp.png"],
@@ -227,6 +230,7 @@ def write_inputs(outputs):
     (work / "ramp.png").write_bytes(picture())
     write("scene.toml", 'version = 1\n[ocean]\nsize = 16\nspectrum_file = "41010.data_spec"\n[terrain]\nfile = "map.asc"\n'
           '[[mesh]]\nfile = "ship.gltf"\nshading = "cartoon"\ncartoon_ramp = "ramp.png"\n[[cloud]]\n')
+    write("floats.toml", 'version = 1\n[ocean]\nsize = 16\n[[mesh]]\nshape = "box"\n[[body]]\nmass_centre_m = [0, -0.4, 0]\n')
     work.rename(outputs.folder / "inputs")
 
 
