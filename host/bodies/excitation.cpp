@@ -1,6 +1,7 @@
 #include "host/bodies/excitation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -26,38 +27,84 @@ constexpr double kept_energy = 0.999;
 struct Corner {
   glm::dvec3 place_m{0.0};  // from the mass centre
   double depth_m = 0.0;
-  Complex rise{0.0};  // of the water, of a wave of 1 m
+  glm::dvec3 shares{0.0};  // of the face's vertices in what is linear over it
+};
+
+/// A vertex of the wetted hull, and the force of a rise of 1 m of the water there, linear over each face.
+struct WetVertex {
+  glm::dvec3 place_m{0.0};
+  std::array<double, hull_motions> force{};
 };
 
 Corner between(const Corner& a, const Corner& b) {
   const double share = a.depth_m / (a.depth_m - b.depth_m);
-  return {a.place_m + share * (b.place_m - a.place_m), 0.0, a.rise + share * (b.rise - a.rise)};
+  return {a.place_m + share * (b.place_m - a.place_m), 0.0, a.shares + share * (b.shares - a.shares)};
 }
 
-/// The pressure of the rise on a triangle, all of it below the water.
-void add_triangle(const Corner& a, const Corner& b, const Corner& c, double weight, HullWrench& sum) {
-  const glm::dvec3 area = 0.5 * glm::cross(b.place_m - a.place_m, c.place_m - a.place_m);
-  const Complex rises = a.rise + b.rise + c.rise;
-  for (int axis = 0; axis < 3; ++axis) {
-    sum[static_cast<std::size_t>(axis)] -= weight / 3.0 * area[axis] * rises;
-  }
-  // The integral of a product of linear functions.
-  for (const Corner* corner : {&a, &b, &c}) {
-    const glm::dvec3 moment = glm::cross(corner->place_m, area);
+/// The pressure of rises on a triangle, all of it below the water.
+void add_triangle(const std::array<const Corner*, 3>& corners, double weight,
+                  const std::array<WetVertex*, 3>& vertices) {
+  const glm::dvec3 from = corners[0]->place_m;
+  const glm::dvec3 area = 0.5 * glm::cross(corners[1]->place_m - from, corners[2]->place_m - from);
+  const glm::dvec3 shares = corners[0]->shares + corners[1]->shares + corners[2]->shares;
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    std::array<double, hull_motions>& force = vertices[static_cast<std::size_t>(vertex)]->force;
+    glm::dvec3 moment(0.0);
+    // The integral of a product of linear functions.
+    for (const Corner* corner : corners) {
+      moment += (shares[vertex] + corner->shares[vertex]) / 12.0 * glm::cross(corner->place_m, area);
+    }
     for (int axis = 0; axis < 3; ++axis) {
-      sum[static_cast<std::size_t>(axis) + 3] -= weight / 12.0 * moment[axis] * (rises + corner->rise);
+      force[static_cast<std::size_t>(axis)] -= weight / 3.0 * shares[vertex] * area[axis];
+      force[static_cast<std::size_t>(axis) + 3] -= weight * moment[axis];
     }
   }
 }
 
-void add_face(const std::array<Corner, 3>& face, double weight, HullWrench& sum) {
+void add_face(const std::array<Corner, 3>& face, double weight, const std::array<WetVertex*, 3>& vertices) {
   std::vector<Corner> wet;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner &from = face[i], &to = face[(i + 1) % 3];
     if (from.depth_m > 0.0) wet.push_back(from);
     if ((from.depth_m > 0.0) != (to.depth_m > 0.0)) wet.push_back(between(from, to));
   }
-  for (std::size_t i = 2; i < wet.size(); ++i) add_triangle(wet[0], wet[i - 1], wet[i], weight, sum);
+  for (std::size_t i = 2; i < wet.size(); ++i) {
+    add_triangle({&wet[0], &wet[i - 1], &wet[i]}, weight, vertices);
+  }
+}
+
+std::vector<WetVertex> wet_vertices(const FloatingBody& body, double weight) {
+  std::vector<WetVertex> vertices;
+  for (const glm::dvec3& place_m : body.hull.positions_m) {
+    vertices.push_back({.place_m = place_m - body.mass_centre_m});
+  }
+  const double level_m = body.hydrodynamics->water_level_m - body.mass_centre_m.y;
+  for (const TriangleIndices& face : body.hull.faces) {
+    std::array<Corner, 3> corners;
+    std::array<WetVertex*, 3> of_face{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      of_face[i] = &vertices[face[i]];
+      corners[i] = {of_face[i]->place_m, level_m - of_face[i]->place_m.y};
+      corners[i].shares[static_cast<int>(i)] = 1.0;
+    }
+    add_face(corners, weight, of_face);
+  }
+  std::erase_if(vertices, [](const WetVertex& vertex) {
+    return std::ranges::all_of(vertex.force, [](double value) { return value == 0.0; });
+  });
+  return vertices;
+}
+
+HullWrench excitation_of(const std::vector<WetVertex>& vertices, double wavenumber_radpm,
+                         double direction_rad) {
+  const double along = wavenumber_radpm * std::cos(direction_rad);
+  const double across = wavenumber_radpm * std::sin(direction_rad);
+  HullWrench sum{};
+  for (const WetVertex& vertex : vertices) {
+    const Complex rise = std::polar(1.0, along * vertex.place_m.x + across * vertex.place_m.z);
+    for (std::size_t i = 0; i < hull_motions; ++i) sum[i] += vertex.force[i] * rise;
+  }
+  return sum;
 }
 
 std::uint32_t turns_of(double angle_rad) {
@@ -70,19 +117,7 @@ std::uint32_t turns_of(double angle_rad) {
 
 HullWrench hydrostatic_excitation(const FloatingBody& body, double wavenumber_radpm, double direction_rad,
                                   double density_kgpm3, double gravity_mps2) {
-  const double along = wavenumber_radpm * std::cos(direction_rad);
-  const double across = wavenumber_radpm * std::sin(direction_rad);
-  std::vector<Corner> corners;
-  for (const glm::dvec3& mesh_place_m : body.hull.positions_m) {
-    const glm::dvec3 place_m = mesh_place_m - body.mass_centre_m;
-    corners.push_back({place_m, body.hydrodynamics->water_level_m - mesh_place_m.y,
-                       std::polar(1.0, along * place_m.x + across * place_m.z)});
-  }
-  HullWrench sum{};
-  for (const TriangleIndices& face : body.hull.faces) {
-    add_face({corners[face[0]], corners[face[1]], corners[face[2]]}, density_kgpm3 * gravity_mps2, sum);
-  }
-  return sum;
+  return excitation_of(wet_vertices(body, density_kgpm3 * gravity_mps2), wavenumber_radpm, direction_rad);
 }
 
 WaveTable wave_table(const FloatingBody& body, double density_kgpm3, double gravity_mps2) {
@@ -102,6 +137,7 @@ WaveTable wave_table(const FloatingBody& body, double density_kgpm3, double grav
   const glm::dvec3 arm_m = body.mass_centre_m - data.about_m;
   // Hulls' data may be of another density and gravity than the water's.
   const double scale = density_kgpm3 * gravity_mps2 / (data.density_kgpm3 * data.gravity_mps2);
+  const std::vector<WetVertex> vertices = wet_vertices(body, density_kgpm3 * gravity_mps2);
   WaveTable table;
   table.step_radps = data.frequencies_radps.back() / BODY_WAVE_FREQUENCIES;
   table.values.reserve(std::size_t{BODY_WAVE_DIRECTIONS} * BODY_WAVE_FREQUENCIES * BODY_WAVE_FLOATS);
@@ -118,8 +154,7 @@ WaveTable wave_table(const FloatingBody& body, double density_kgpm3, double grav
       whole[3] -= arm_m.y * whole[2] - arm_m.z * whole[1];
       whole[4] -= arm_m.z * whole[0] - arm_m.x * whole[2];
       whole[5] -= arm_m.x * whole[1] - arm_m.y * whole[0];
-      const HullWrench there =
-          hydrostatic_excitation(body, wavenumber_radpm, direction_rad, density_kgpm3, gravity_mps2);
+      const HullWrench there = excitation_of(vertices, wavenumber_radpm, direction_rad);
       // Below its lowest frequency data have none: what is missing there rises as the square of it.
       const double known = std::min(1.0, std::pow(frequency_radps / data.frequencies_radps.front(), 2.0));
       for (std::size_t i = 0; i < hull_motions; ++i) whole[i] = known * (whole[i] - there[i]);
