@@ -1,19 +1,21 @@
-// Arrays of floating bodies, one layout for host and device: 4-byte scalars only. Body axes: x forward, y up, z to
-// starboard, their origin in the mass centre; world axes: y up from the water plane.
+// Arrays of floating bodies, one layout for host and device: 4-byte scalars only. Body axes: x forward, y up,
+// z to starboard, their origin in the mass centre; world axes: y up from the water plane.
 #ifndef OFFING_KERNELS_SHARED_BODIES_H
 #define OFFING_KERNELS_SHARED_BODIES_H
 
-// Places are whole tiles of SURFACE_QUERY_TILE_M (shared/query_params.h) along x and z and a rest, as those of
-// queries.
+// Places are whole tiles of SURFACE_QUERY_TILE_M (shared/query_params.h) along x and z and a rest, as those
+// of queries.
 
-// Bounds of what forces make of a body's motion: ten times the fastest hulls, and half a radian a sub-step of 1/120 s.
+// Bounds of what forces make of a body's motion: ten times the fastest hulls, and half a radian a sub-step of
+// 1/120 s.
 #define BODY_LARGEST_SPEED_MPS 1500.0f
 #define BODY_LARGEST_SPIN_RADPS 60.0f
 
 #define BODY_MOTIONS 6  // along x, y, z, then about x, y, z, in body axes
 #define BODY_MATRIX 36
 
-// Tables of what waves do to a hull, [directions][frequencies][floats]: real parts of each motion's, then imaginary ones.
+// Tables of what waves do to a hull, [directions][frequencies][floats]: real parts of each motion's, then
+// imaginary ones.
 #define BODY_WAVE_DIRECTIONS 48
 #define BODY_WAVE_FREQUENCIES 64
 #define BODY_WAVE_FLOATS 12
@@ -30,30 +32,33 @@ typedef struct {
 
 // What a body is.
 typedef struct {
-  int propeller_vertex;  // which of the vertices of all bodies stands for its propeller
+  int propeller_vertex;        // which of the vertices of all bodies stands for its propeller
   int first_face, face_count;  // of its hull, among those of all bodies
   float mass_kg;
-  float inertia_xx, inertia_yy, inertia_zz, inertia_xy, inertia_xz, inertia_yz;  // kg m^2, about the mass centre
+  float inertia_xx, inertia_yy, inertia_zz, inertia_xy, inertia_xz,
+      inertia_yz;  // kg m^2, about the mass centre
   // 1 / (kg m^2), of the inertia with that of the water that turns with the body.
   float inverse_xx, inverse_yy, inverse_zz, inverse_xy, inverse_xz, inverse_yz;
   // Water that is moved with the body: shares of what it displaces at the moment.
   float added_along, added_up;
-  float length_m;       // along x: Reynolds' number and waves are of this length
-  float face_drag;      // of half density speed^2 area, where a face moves against the water
-  float wake_drag;      // and where it moves away from it
-  float wave_damping;   // of density area sqrt(gravity length) speed, on what faces downward
+  float length_m;      // along x: Reynolds' number and waves are of this length
+  float face_drag;     // of half density speed^2 area, where a face moves against the water
+  float wake_drag;     // and where it moves away from it
+  float wave_damping;  // of density area sqrt(gravity length) speed, on what faces downward
   float propeller_diameter_m;
   float rudder_x_m, rudder_y_m, rudder_z_m, rudder_area_m2;
-  float rudder_lift;    // lift coefficient's rise with the angle, 1/rad
-  // Sway force and yaw moment of a hull that runs ahead (host/bodies/hull_lift.h), at a place from the mass centre. Faces
-  // drag by their speed across with and without that ahead: this share of it apart.
-  float lift_share, lift_x_m, lift_y_m, lift_force_by_sway, lift_force_by_yaw, lift_moment_by_sway, lift_moment_by_yaw;
+  float rudder_lift;  // lift coefficient's rise with the angle, 1/rad
+  // Sway force and yaw moment of a hull that runs ahead (host/bodies/hull_lift.h), at a place from the mass
+  // centre. Faces drag by their speed across with and without that ahead: this share of it apart.
+  float lift_share, lift_x_m, lift_y_m, lift_force_by_sway, lift_force_by_yaw, lift_moment_by_sway,
+      lift_moment_by_yaw;
   // What the waves that it has made do to it: BODY_MATRIX floats of added mass, then as many for each of
-  // memory_samples samples of its velocity, steps_a_sample sub-steps apart, the first one now. No samples: none.
+  // memory_samples samples of its velocity, steps_a_sample sub-steps apart, the first one now. No samples:
+  // none.
   int first_memory_float, memory_samples, steps_a_sample;
   int first_velocity_float;  // of the velocities that it has had
-  // What waves do to it besides the pressure below their surface (host/bodies/excitation.h): its table, and the step from
-  // one of its frequencies to the next, the first one being this.
+  // What waves do to it besides the pressure below their surface (host/bodies/excitation.h): its table, and
+  // the step from one of its frequencies to the next, the first one being this.
   int first_wave_float;
   float wave_step_radps;
 } BodyShape;
@@ -82,7 +87,8 @@ typedef struct {
   // By the waves that it has made; without the water that it accelerates.
   float radiation_x_n, radiation_y_n, radiation_z_n;
   float radiation_moment_x_nm, radiation_moment_y_nm, radiation_moment_z_nm;
-  // By waves, besides the pressure below their surface: what pressures lose with depth, and what the hull scatters.
+  // By waves, besides the pressure below their surface: what pressures lose with depth, and what the hull
+  // scatters.
   float excitation_x_n, excitation_y_n, excitation_z_n;
   float excitation_moment_x_nm, excitation_moment_y_nm, excitation_moment_z_nm;
 } BodyReport;
@@ -109,12 +115,12 @@ typedef struct {
   float gravity_mps2;
   float viscosity_m2ps;  // kinematic
   float step_s;
-  int steps;  // between two questions about the water
+  int steps;       // between two questions about the water
   int first_step;  // of these, since the start
 } BodyWater;
 
-// A hull on a wake window (shared/wake.h), for bodies/hull_press.cl. Places in the hull's map are counted in its columns
-// and rows.
+// A hull on a wake window (shared/wake.h), for bodies/hull_press.cl. Places in the hull's map are counted in
+// its columns and rows.
 typedef struct {
   int first_column, first_row;          // of the world, of the first cell that is looked at
   int columns, rows;                    // of such cells
@@ -123,8 +129,8 @@ typedef struct {
   float along_by_column, along_by_row;  // and how it changes from cell to cell
   float across_by_column, across_by_row;
   int map_columns, map_rows;
-  float level_m;                        // of the water, in the map's axes
-  float share;                          // of its depth that presses, 0 ... 1
+  float level_m;  // of the water, in the map's axes
+  float share;    // of its depth that presses, 0 ... 1
 } HullPress;
 
 #ifndef __OPENCL_VERSION__

@@ -42,11 +42,10 @@ struct RaoArguments {
 std::vector<double> read_values(std::string_view flag, std::string_view text, double low, double high,
                                 std::string_view example) {
   const auto bad = [&] {
-    return bad_argument(
-        flag,
-        fmt::format("A:B:DT or up to {} numbers with commas between them, from {:g} to {:g}", most_values,
-                    low, high),
-        text, example);
+    return bad_argument(flag,
+                        fmt::format("A:B:DT or up to {} numbers with commas between them, from {:g} to {:g}",
+                                    most_values, low, high),
+                        text, example);
   };
   const bool is_range = text.find(':') != std::string_view::npos;
   std::vector<double> numbers;
