@@ -21,7 +21,7 @@ constexpr std::size_t most_volumes = 16;
 constexpr double margin_cells = 2.5;
 
 // Edge of a texel of noise, in mean radii of particles.
-constexpr float lump_radii = 0.1f;
+constexpr float lump_radii = 0.06f;
 
 int rounded_up(double cells, int step) {
   return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
