@@ -264,17 +264,10 @@ __kernel void billboard_composite(__global const CloudBillboard* restrict billbo
                              __global const float* restrict scene_depth, int has_marched,
                              __global const float* restrict marched, __global const float* restrict marched_m,
                              CloudImageParams params, __global float* restrict image, __global float* restrict distance_m) {
-#if LANES == 1
-  const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
-  if (left >= params.width_px || bottom >= params.height_px) return;
+  int left, bottom, right, top;
+  set_own_pixels(params, &left, &bottom, &right, &top);
+  if (left >= right || bottom >= top) return;
   const int tile = bottom / CLOUD_TILE_PX * params.tile_columns + left / CLOUD_TILE_PX;
-#else
-  const int tile = (int)get_global_id(0);
-  const int left = tile % params.tile_columns * CLOUD_TILE_PX;
-  const int bottom = tile / params.tile_columns * CLOUD_TILE_PX;
-  const int right = min(left + CLOUD_TILE_PX, params.width_px);
-  const int top = min(bottom + CLOUD_TILE_PX, params.height_px);
-#endif
   for (int row = bottom; row < top; row += BLOCK_PX) {
     for (int column = left; column < right; column += BLOCK_PX) {
       // A picture may end within a block: pixels beyond its edge see what the last ones do.

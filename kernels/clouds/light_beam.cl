@@ -13,8 +13,6 @@
 #define PLANE_CELLS (CELLS / CLOUD_LEAST_CELLS)
 #define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
 
-static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
-
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam(
     __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
     __global const CloudLightParams *restrict lights, __global const float *restrict medium,

@@ -41,14 +41,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_boun
     low = fmin(low, place - radius);
     high = fmax(high, place + radius);
   }
-  lows[item] = low.x, lows[GROUP_SIZE + item] = low.y, lows[2 * GROUP_SIZE + item] = low.z;
-  highs[item] = high.x, highs[GROUP_SIZE + item] = high.y, highs[2 * GROUP_SIZE + item] = high.z;
-  barrier(CLK_LOCAL_MEM_FENCE);
+  join_bounds(item, lows, highs, &low, &high);
   if (item != 0) return;
-  for (int other = 1; other < GROUP_SIZE; ++other) {
-    low = fmin(low, (float3)(lows[other], lows[GROUP_SIZE + other], lows[2 * GROUP_SIZE + other]));
-    high = fmax(high, (float3)(highs[other], highs[GROUP_SIZE + other], highs[2 * GROUP_SIZE + other]));
-  }
   if (!(low.x < high.x)) low = (float3)(0.0f), high = (float3)(1.0f);
   int size_x = CLOUD_LEAST_CELLS, size_y = CLOUD_LEAST_CELLS, size_z = CLOUD_LEAST_CELLS;
   for (;;) {

@@ -9,8 +9,6 @@
 #define PLANE_CELLS (CELLS / CLOUD_LEAST_CELLS)
 #define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
 
-static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
-
 // What a cell sends in a direction per depth.
 static inline float3 sent_at(__global const float4 *restrict emission, int cell, float3 toward) {
   __global const float4 *e = emission + 4 * cell;

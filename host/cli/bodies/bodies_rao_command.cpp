@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -15,6 +16,7 @@
 #include "host/cli/bodies/bodies_commands.h"
 #include "host/cli/bodies/linear_body.h"
 #include "host/cli/bodies/response_plot.h"
+#include "host/cli/ocean/query_settings.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/installed_scenes.h"
 #include "host/command_line/new_output.h"
@@ -47,23 +49,20 @@ std::vector<double> read_values(std::string_view flag, std::string_view text, do
                                     most_values, low, high),
                         text, example);
   };
-  const bool is_range = text.find(':') != std::string_view::npos;
   std::vector<double> numbers;
+  const bool is_range = text.find(':') != std::string_view::npos;
+  if (is_range) {
+    const TimeRange range = read_time_range(flag, text);
+    if (range.count > static_cast<std::int64_t>(most_values)) throw bad();
+    for (std::int64_t i = 0; i < range.count; ++i) numbers.push_back(range.time_s(i));
+  }
   const char *at = text.data(), *const end = at + text.size();
-  while (true) {
+  while (!is_range) {
     const auto [after, error] = std::from_chars(at, end, numbers.emplace_back());
     if (error != std::errc{} || !std::isfinite(numbers.back()) || numbers.size() > most_values) throw bad();
     at = after;
     if (at == end) break;
-    if (*at++ != (is_range ? ':' : ',')) throw bad();
-  }
-  if (is_range) {
-    if (numbers.size() != 3 || !(numbers[2] > 0.0) || numbers[1] < numbers[0]) throw bad();
-    const double steps = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-6);
-    if (steps >= static_cast<double>(most_values)) throw bad();
-    std::vector<double> range;
-    for (int i = 0; i <= static_cast<int>(steps); ++i) range.push_back(numbers[0] + i * numbers[2]);
-    numbers = range;
+    if (*at++ != ',') throw bad();
   }
   for (const double number : numbers) {
     if (number < low || number > high) throw bad();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -127,7 +129,7 @@ void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const Part
                         fields.grids, axes_, bounds_buffer_);
   bounds_ = bounds_buffer_.read();
   bounds_.resize(fields.clouds);
-  for (Slot& slot : slots_) slot.cloud.reset();
+  std::ranges::fill(slots_, std::nullopt);
 }
 
 void ResolvedClouds::reserve(std::size_t slots) {
@@ -149,7 +151,8 @@ void ResolvedClouds::reserve(std::size_t slots) {
   if (noise_.size() == 0) noise_ = ocl::Buffer<float>(device_, lump_noise(), "lumps of clouds");
   slots_.resize(std::max(slots_.size(), slots));
   if (!is_new) return;
-  for (Slot& slot : slots_) slot.cloud.reset();
+  std::ranges::fill(slots_, std::nullopt);
+  volumes_held_.clear();
 }
 
 void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
@@ -178,31 +181,34 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   wanted.resize(std::min(wanted.size(), most_volumes));
   std::vector<float> shares(bounds_.size(), 1.0f);
   if (!wanted.empty()) reserve(std::min(bounds_.size(), most_volumes));
-  for (Slot& slot : slots_) slot.is_wanted = false;
-  for (const Wanted& one : wanted) {
-    for (Slot& slot : slots_)
-      if (slot.cloud == one.cloud) slot.is_wanted = true;
-  }
+  const auto is_free = [&](const std::optional<int>& slot) {
+    return !slot || std::ranges::find(wanted, *slot, &Wanted::cloud) == wanted.end();
+  };
   std::vector<std::pair<double, CloudMarchVolume>> sorted;
   for (const Wanted& one : wanted) {
     CloudMarchVolume volume = volume_of(bounds_[static_cast<std::size_t>(one.cloud)], axes_, one.cloud);
     volume.share = static_cast<float>(smooth(least_px, least_px * marched_px / billboards_px, one.edge_px));
-    auto slot =
-        std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.cloud == one.cloud; });
+    auto slot = std::ranges::find(slots_, one.cloud);
     const bool is_made = slot != slots_.end();
-    if (!is_made)
-      slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.is_wanted; });
+    if (!is_made) slot = std::ranges::find_if(slots_, is_free);
     volume.slot = static_cast<int>(slot - slots_.begin());
     if (!is_made) {
       make(volume);
-      *slot = {.cloud = one.cloud, .is_wanted = true};
+      *slot = one.cloud;
     }
     shares[static_cast<std::size_t>(one.cloud)] = 1.0f - volume.share;
     sorted.emplace_back(one.distance_m, volume);
   }
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [distance_m, volume] : sorted) volumes_.push_back(volume);
-  if (!volumes_.empty()) volumes_buffer_.write(volumes_);
+  // A write waits for the device.
+  const bool are_held =
+      volumes_.size() == volumes_held_.size() &&
+      std::memcmp(volumes_.data(), volumes_held_.data(), volumes_.size() * sizeof(CloudMarchVolume)) == 0;
+  if (!volumes_.empty() && !are_held) {
+    volumes_buffer_.write(volumes_);
+    volumes_held_ = volumes_;
+  }
   if (shares_held_ == shares) return;
   if (shares_.size() < shares.size())
     shares_ = ocl::Buffer<float>(device_, shares.size(), "shares of clouds");

@@ -18,12 +18,12 @@
 
 namespace offing::clouds {
 
-/// The density of clouds that are large on the screen, and the sunlight in it, in cells of some 25 m: so that
+/// The density of clouds that are large on the screen, and the sunlight in it, in cells of some 20 m: so that
 /// pictures march along lines of sight and see the light between billows, where particles would show one
 /// light each (kernels/clouds/march). A cloud is marched where cells of its light's grid are large, and shown
 /// as billboards where they are small; in between it is shown as both, each with a share of its density.
 ///
-/// A volume takes 1 MB of the device, and 1 MB more for each sun.
+/// A volume takes 2 MB of the device, and 2 MB more for each sun.
 class ResolvedClouds {
  public:
   /// lumps: how strong those smaller than particles are, 0 (left out) to 1.
@@ -57,10 +57,6 @@ class ResolvedClouds {
   struct Kernels {
     ocl::Kernel source, march;
   };
-  struct Slot {
-    std::optional<int> cloud;  // whose volume it holds
-    bool is_wanted = false;
-  };
 
   Kernels& kernels();
   void reserve(std::size_t slots);
@@ -73,11 +69,12 @@ class ResolvedClouds {
   std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   const ParticleLight* light_ = nullptr;
-  std::vector<CloudMarchBounds> bounds_;  // one a cloud; empty: nothing is resolved
-  CloudMarchVolume axes_{};               // of all volumes
-  std::vector<Slot> slots_;
-  std::vector<CloudMarchVolume> volumes_;  // the nearest first
-  std::vector<float> shares_held_;         // as shares_ has them
+  std::vector<CloudMarchBounds> bounds_;        // one a cloud; empty: nothing is resolved
+  CloudMarchVolume axes_{};                     // of all volumes
+  std::vector<std::optional<int>> slots_;       // whose volume each holds
+  std::vector<CloudMarchVolume> volumes_;       // the nearest first
+  std::vector<CloudMarchVolume> volumes_held_;  // as volumes_buffer_ has them
+  std::vector<float> shares_held_;              // as shares_ has them
   glm::dvec3 origin_m_{0.0};
   ocl::Buffer<CloudMarchBounds> bounds_buffer_;
   ocl::Buffer<CloudMarchVolume> volumes_buffer_;

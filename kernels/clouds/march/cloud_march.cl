@@ -3,7 +3,8 @@
 // phase of the whole way (phase tables), and what was scattered before, of sources. Sky that is only scattered nearly
 // forward is seen too: the scaled medium lets more of it through than the true one.
 // In:  volumes [volume_count], the nearest first; of kernels/clouds/march density, depths, blocks and sources; grids, looks,
-//      lights, phases, noise of lumps; the camera, with places in the axes of the volumes; scene_depth as billboard_composite.cl has it.
+//      lights, phases, noise of lumps; the camera, with places in the axes of the volumes; scene_depth as
+//      billboard_composite.cl has it.
 // Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], of their mean. Row 0 is at the bottom.
 #include "clouds/march/march_source.clh"
 #include "clouds/march/march_volume.clh"
@@ -257,16 +258,8 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
                           __global const CloudLightParams *restrict lights, __global const float *restrict phases,
                           __global const float *restrict noise, __global const float *restrict scene_depth, CloudImageParams params,
                           __global float *restrict image, __global float *restrict distance_m) {
-#if LANES == 1
-  const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
-  if (left >= params.width_px || bottom >= params.height_px) return;
-#else
-  const int tile = (int)get_global_id(0);
-  const int left = tile % params.tile_columns * CLOUD_TILE_PX;
-  const int bottom = tile / params.tile_columns * CLOUD_TILE_PX;
-  const int right = min(left + CLOUD_TILE_PX, params.width_px);
-  const int top = min(bottom + CLOUD_TILE_PX, params.height_px);
-#endif
+  int left, bottom, right, top;
+  set_own_pixels(params, &left, &bottom, &right, &top);
   for (int row = bottom; row < top; row += BLOCK_PX) {
     for (int column = left; column < right; column += BLOCK_PX) {
       const int_lanes columns = up_to(column + BLOCK_COLUMN, params.width_px - 1);
@@ -298,11 +291,10 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
         // Billboards show the rest of the cloud, and behind a part of it is not the sky, but the rest.
         const lanes own_through = exp_of(-march.depth), seen_through = exp_of(-volume.share * march.depth);
         const lanes share = (1.0f - seen_through) / most(1.0f - own_through, (lanes)1e-6f);
-        const lanes opacity = through * (1.0f - seen_through);
-        distance = fma(opacity / most(1.0f - own_through, (lanes)1e-6f), march.distance_m, distance);
+        distance = fma(through * share, march.distance_m, distance);
         const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
         for (int colour = 0; colour < 3; ++colour) {
-          lanes own_kept = march.kept[CHANNELS == 1 ? 0 : colour];
+          const lanes own_kept = march.kept[CHANNELS == 1 ? 0 : colour];
           // What is as good as full is taken as full of what it has shown.
           const lanes own_light = march.light[colour] * select((lanes)1.0f, 1.0f / (1.0f - own_kept), is_full);
           const lanes scattered = select(own_kept - own_through, (lanes)0.0f, is_full);

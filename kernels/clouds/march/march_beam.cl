@@ -1,12 +1,10 @@
-// Optical depth of the way from the middle of each cell of a volume to each sun but the first. Carried from plane to plane along the axis that the light crosses fastest, mixed between the middles of four cells
-// of the plane before. Other clouds before this one add theirs where the light enters.
+// Optical depth of the way from the middle of each cell of a volume to each sun but the first. Carried from plane to plane
+// along the axis that the light crosses fastest, mixed between the middles of four cells of the plane before. Other clouds before this one add theirs where the light enters.
 // In:  the volume, density; grids, looks, lights [clouds]; of light_entry.cl entries, which count where there are several
 //      clouds.
 // Out: depths [slots][suns][CLOUD_MARCH_CELLS], of these.
 // One work-group of GROUP_SIZE a sun.
 #include "clouds/march/march_entry.clh"
-
-static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam(
     const CloudMarchVolume volume, __global const float *restrict density, __global const CloudGrid *restrict grids,

@@ -20,16 +20,10 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_boun
     high = fmax(high, place + radius);
     radius_sum += radius;
   }
-  lows[item] = low.x, lows[GROUP_SIZE + item] = low.y, lows[2 * GROUP_SIZE + item] = low.z;
-  highs[item] = high.x, highs[GROUP_SIZE + item] = high.y, highs[2 * GROUP_SIZE + item] = high.z;
   radii[item] = radius_sum;
-  barrier(CLK_LOCAL_MEM_FENCE);
+  join_bounds(item, lows, highs, &low, &high);
   if (item != 0) return;
-  for (int other = 1; other < GROUP_SIZE; ++other) {
-    low = fmin(low, (float3)(lows[other], lows[GROUP_SIZE + other], lows[2 * GROUP_SIZE + other]));
-    high = fmax(high, (float3)(highs[other], highs[GROUP_SIZE + other], highs[2 * GROUP_SIZE + other]));
-    radius_sum += radii[other];
-  }
+  for (int other = 1; other < GROUP_SIZE; ++other) radius_sum += radii[other];
   const bool has_any = low.x < high.x;
   const CloudParticle anchor = particles[has_any ? grid.first : 0];
   const CloudMarchBounds found = {low.x, low.y, low.z, high.x, high.y, high.z, grid.first, has_any ? grid.end : grid.first,
