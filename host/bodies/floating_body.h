@@ -45,7 +45,7 @@ struct FloatingBody {
   HullDrag drag = {};
   HullDrive drive = {};
   /// Added mass and the damping by the waves made. With them, the estimates of `drag` for both (waves,
-  /// added_*) do not count; without, those do.
+  /// added_*) do not count; without, those do. built_in_data() makes them.
   std::shared_ptr<const HydrodynamicData> hydrodynamics = {};
   BodyPose start = {};
 };

@@ -185,6 +185,33 @@ void cover(const std::vector<Triangle>& triangles, double height_m, std::size_t 
   }
 }
 
+/// Whether a place is above or below a triangle, nearer than thin_m.
+bool is_close_to(const glm::dvec3& place, const Panel& panel, double thin_m) {
+  if (std::abs(glm::dot(place - panel.centre_m, panel.normal)) > thin_m) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &from = panel.corners_m[i], &to = panel.corners_m[(i + 1) % 3];
+    if (glm::dot(glm::cross(to - from, place - from), panel.normal) < 0.0) return false;
+  }
+  return true;
+}
+
+/// Takes away the panels of both sides of a blade, such as a coarse mesh makes of a stem, and copies: sources
+/// on both sides of a blade would be any that cancel each other.
+void remove_blades(std::vector<Panel>& panels) {
+  constexpr double thin = 0.05;  // of a panel's size
+  std::vector<bool> is_removed(panels.size());
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    for (std::size_t j = 0; j < panels.size() && !is_removed[i]; ++j) {
+      const double turn = glm::dot(panels[i].normal, panels[j].normal);
+      const bool is_copied = turn > 0.9 && j < i, is_opposite = turn < -0.9;
+      is_removed[i] = (is_copied || is_opposite) &&
+                      is_close_to(panels[i].centre_m, panels[j], thin * std::sqrt(panels[j].area_m2));
+    }
+  }
+  std::size_t at = 0;
+  std::erase_if(panels, [&](const Panel&) { return is_removed[at++]; });
+}
+
 }  // namespace
 
 PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panels) {
@@ -241,6 +268,7 @@ PanelHull panel_hull(const TriangleMesh& mesh, double level_m, std::size_t panel
     panel.normal = twice / glm::length(twice);
     hull.panels.push_back(panel);
   }
+  remove_blades(hull.panels);
   hull.wetted_count = hull.panels.size();
   const double breadth_m = high.z - low.z, side_m = std::sqrt(4.0 / std::sqrt(3.0) * mean_m2);
   hull.length_m = std::sqrt((high.x - low.x) * breadth_m);

@@ -47,6 +47,8 @@ Rankine rankine(const Panel& panel, const glm::dvec3& place, bool is_self, doubl
     const std::size_t j = (i + 1) % n;
     const glm::dvec3 edge = to[j] - to[i];
     const double length = glm::length(edge);
+    // A quadrangle at a tip of the cover has but three corners.
+    if (!(length > 0.0)) continue;
     const glm::dvec3 outward = glm::cross(edge / length, normal);
     const double sum = distance[i] + distance[j];
     const double log = std::log((sum + length) / std::max(sum - length, 1e-14 * sum));

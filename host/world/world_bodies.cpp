@@ -10,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/base/time_estimate.h"
+#include "host/bodies/built_in_data.h"
 #include "host/bodies/hull.h"
 
 namespace offing::world {
@@ -23,6 +24,8 @@ using bodies::FloatingBodies;
 constexpr double question_s = FloatingBodies::steps_a_question / FloatingBodies::steps_per_s;
 // Three frames at 30 a second.
 constexpr double ahead_s = 0.1;
+// Long enough for poses to come, short against a hull's way over a beach.
+constexpr double shoal_lag_s = 0.3;
 constexpr double longest_leap_s = 7200.0;
 // Of the run-up, while hulls come to their weight: a hull that is put on the water at once throws a ring.
 constexpr double settling_s = 5.0;
@@ -63,9 +66,15 @@ ocean::OceanParameters long_waves_of(const ocean::OceanParameters& whole, double
   return kept;
 }
 
-std::vector<bodies::FloatingBody> bodies_of(const std::vector<BodySettings>& settings) {
+std::vector<bodies::FloatingBody> bodies_of(const std::vector<BodySettings>& settings, double gravity_mps2) {
   std::vector<bodies::FloatingBody> bodies;
-  for (const BodySettings& each : settings) bodies.push_back(each.body);
+  for (const BodySettings& each : settings) {
+    bodies::FloatingBody& body = bodies.emplace_back(each.body);
+    if (!body.hydrodynamics) {
+      body.hydrodynamics =
+          bodies::built_in_data(body, bodies::BodyWaterParameters{}.density_kgpm3, gravity_mps2);
+    }
+  }
   return bodies;
 }
 
@@ -125,14 +134,15 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
     : device_(device),
       settings_(std::move(settings)),
       run_up_s_(whole_questions_s(run_up_s)),
-      bodies_(device, bodies_of(settings_), {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2}),
+      bodies_(device, bodies_of(settings_, sea.spectrum.dispersion.gravity_mps2),
+              {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2}),
       sea_(device, sea.spectrum, long_waves_of(sea.ocean, shortest_hull_m(settings_))),
       query_(query_of(settings_)),
       path_(std::make_shared<BodyPath>()) {
   for (const BodySettings& each : settings_) {
     pressers_.emplace_back(device, *each.map, each.body.mass_centre_m);
   }
-  sea_.set_shoals(sea.shoals);
+  set_shoals(sea.shoals);
   tell_waves();
   draught_m_ = total_draught_m();
   reset(start_s);
@@ -140,13 +150,30 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
 
 void WorldBodies::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
-  sea_.set_shoals(sea.shoals);
+  set_shoals(sea.shoals);
   tell_waves();
 }
 
 void WorldBodies::set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
   sea_.set_gerstner_waves(gerstner_waves);
   tell_waves();
+}
+
+void WorldBodies::set_shoals(std::shared_ptr<const ocean::Shoals> shoals) {
+  shoals_ = shoals;
+  sea_.set_shoals(std::move(shoals));
+}
+
+/// What shoals take from waves where a body was a little earlier: a pose that has come, always that of the
+/// same time. The mean of the cascades.
+double WorldBodies::lost_wave_share(std::size_t body, double time_s) const {
+  if (!shoals_) return 0.0;
+  const glm::dvec3 place_m = pose(body, time_s - shoal_lag_s).mass_centre_m;
+  const auto shares = shoals_->instant().at(place_m.x, place_m.z);
+  const std::size_t cascades = std::min<std::size_t>(sea_.parameters().cascades.size(), SHOAL_FIRST_GERSTNER);
+  double sum = 0.0;
+  for (std::size_t cascade = 0; cascade < cascades; ++cascade) sum += std::min(shares[cascade], 1.0);
+  return cascades > 0 ? 1.0 - sum / static_cast<double>(cascades) : 0.0;
 }
 
 /// The waves that bodies float on.
@@ -186,7 +213,11 @@ void WorldBodies::reach(double time_s) {
   const auto water = [this](double at_s, const auto& points, std::size_t count, auto& samples) {
     ask_sea(at_s, points, count, samples);
   };
-  const auto drive = [this](std::size_t body, double at_s) { return settings_[body].drive(at_s, start_s_); };
+  const auto drive = [this](std::size_t body, double at_s) {
+    BodyDrive driven = settings_[body].drive(at_s, start_s_);
+    driven.lost_wave_share = static_cast<float>(lost_wave_share(body, at_s));
+    return driven;
+  };
   const double missing_s = std::max(time_s + ahead_s - path_->end_s(), 0.0);
   TimeEstimate estimate(static_cast<std::int64_t>(missing_s / question_s) + 1,
                         fmt::format("time: {:.0f} s of floating bodies", missing_s),

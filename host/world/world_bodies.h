@@ -88,7 +88,7 @@ class WorldBodies {
   /// The same for its Gerstner waves alone. Throws what Ocean::set_gerstner_waves() throws.
   void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves);
   /// The same for its shoals alone.
-  void set_shoals(std::shared_ptr<const ocean::Shoals> shoals) { sea_.set_shoals(std::move(shoals)); }
+  void set_shoals(std::shared_ptr<const ocean::Shoals> shoals);
 
   /// Simulates up to this time, and a little further; from the start of a world on where it is before that
   /// of these bodies. Throws Error(bad_input) for a leap of more than two hours.
@@ -117,6 +117,7 @@ class WorldBodies {
   void reset(double start_s);
   double total_draught_m() const;
   void tell_waves();
+  double lost_wave_share(std::size_t body, double time_s) const;
   void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
                ocl::Buffer<SurfaceQuerySample>& samples);
 
@@ -126,6 +127,7 @@ class WorldBodies {
   bodies::FloatingBodies bodies_;
   std::vector<bodies::HullPresser> pressers_;
   ocean::Ocean sea_;
+  std::shared_ptr<const ocean::Shoals> shoals_;
   ocean::WaterQuery query_;
   std::shared_ptr<BodyPath> path_;
 };

@@ -13,7 +13,9 @@
 //  - (of the whole hull) a sway force and a yaw moment while it runs ahead, as those of a wing (Clarke et al. 1983);
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
 // A body with a memory moves by Cummins' equation: (M + A) a + C(v) v + sum of K v' = force, in body axes, C being the
-// Coriolis terms of both masses (Fossen 2011, section 6.3), by Cayley's step, which keeps energy. Added mass and
+// Coriolis terms of the mass and, in surge, sway and yaw, of added mass (Fossen 2011, sections 6.3 and 7.3), by Cayley's
+// step, which keeps energy. Those of added mass in pitch would lift the bow of a fast hull, with no free surface and no
+// water that parts from its stern to hold it. Added mass and
 // retardation fade from half its displacement on, so that they are not those of a body in the air. So does what waves do
 // to it besides the pressure below their surface.
 // Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are each weakened as an
@@ -285,6 +287,17 @@ static void add_cross(float3 v, float scale, int row, int column, Matrix* matrix
   at[2 * BODY_MOTIONS + 1] -= scale * v.x;
 }
 
+// Adds C, times a scale, of a body with these momenta along and about its axes, and of the water that it moves.
+static void add_coriolis(float3 own, float3 own_spin, float3 added, float scale, Matrix* matrix) {
+  add_cross(own, scale, 0, 3, matrix);
+  add_cross(own, scale, 3, 0, matrix);
+  add_cross(own_spin, scale, 3, 3, matrix);
+  matrix->at[4] += scale * added.z;
+  matrix->at[2 * BODY_MOTIONS + 4] -= scale * added.x;
+  matrix->at[4 * BODY_MOTIONS] -= scale * added.z;
+  matrix->at[4 * BODY_MOTIONS + 2] += scale * added.x;
+}
+
 // Elimination without exchange: the symmetric part is positive definite.
 static void solve(Matrix* matrix, Motions* right) {
   for (int pivot = 0; pivot < BODY_MOTIONS; ++pivot) {
@@ -314,6 +327,12 @@ static void move_by_memory(const BodyShape* shape, const BodyWater* water, __glo
   set_motions(turned_back(motion->turn, motion->velocity), motion->spin, &before);
   Matrix mass;
   for (int i = 0; i < BODY_MATRIX; ++i) mass.at[i] = share * memory[i];
+  set_product(&mass, &before, &momentum);
+  const float3 added_momentum = along_of(&momentum);
+  const float3 own_momentum = shape->mass_kg * along_of(&before);
+  const float3 own_spin_momentum =
+      symmetric_product(shape->inertia_xx, shape->inertia_yy, shape->inertia_zz, shape->inertia_xy,
+                        shape->inertia_xz, shape->inertia_yz, about_of(&before));
   mass.at[0] += shape->mass_kg;
   mass.at[7] += shape->mass_kg;
   mass.at[14] += shape->mass_kg;
@@ -326,17 +345,12 @@ static void move_by_memory(const BodyShape* shape, const BodyWater* water, __glo
   mass.at[33] += shape->inertia_xz;
   mass.at[29] += shape->inertia_yz;
   mass.at[34] += shape->inertia_yz;
-  set_product(&mass, &before, &momentum);
   // C v = (spin x p, v x p + spin x q): skew, so that C does no work.
   Matrix left = mass;
   Matrix right = mass;
   const float half_step = 0.5f * step;
-  add_cross(along_of(&momentum), half_step, 0, 3, &left);
-  add_cross(along_of(&momentum), half_step, 3, 0, &left);
-  add_cross(about_of(&momentum), half_step, 3, 3, &left);
-  add_cross(along_of(&momentum), -half_step, 0, 3, &right);
-  add_cross(along_of(&momentum), -half_step, 3, 0, &right);
-  add_cross(about_of(&momentum), -half_step, 3, 3, &right);
+  add_coriolis(own_momentum, own_spin_momentum, added_momentum, half_step, &left);
+  add_coriolis(own_momentum, own_spin_momentum, added_momentum, -half_step, &right);
   for (int i = 0; i < BODY_MATRIX; ++i) left.at[i] += share * step * memory[BODY_MATRIX + i];
   set_motions(turned_back(motion->turn, force), turned_back(motion->turn, moment), &push);
   set_product(&right, &before, next);
@@ -536,14 +550,14 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const Motions past = pasts[0];
       Motions radiation;
       set_motions((float3)(0.0f), (float3)(0.0f), &radiation);
-      const float share = wetted_share(&shape, &water, &total);
+      const BodyDrive drive = drives[body * water.steps + step];
+      const float share = wetted_share(&shape, &water, &total) * (1.0f - drive.lost_wave_share);
       Motions waves;
       for (int i = 0; i < BODY_MOTIONS; ++i) waves.at[i] = share * excitation[BODY_MOTIONS * body + i];
       const SurfaceQuerySample sample = samples[shape.propeller_vertex];
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
           depth_of(&origin, motion.place, propeller, points[shape.propeller_vertex], &sample, time_s);
-      const BodyDrive drive = drives[body * water.steps + step];
       const float4 turn = motion.turn;
       advance(&shape, &water, &drive, &origin, &total, propeller, depth, memory + shape.first_memory_float, &past,
               &waves, &motion, &radiation);

@@ -73,7 +73,7 @@ typedef struct {
   float x_m, z_m;
   float heading_rad;  // of body x in the world, from +x toward +z
   float velocity_x_mps, velocity_z_mps, heading_rate_radps;
-  int padding;
+  float lost_wave_share;  // of what waves do besides the pressure below their surface: 0 in the open sea
 } BodyDrive;
 
 // What water did to a body in its last sub-step, in world axes about the mass centre.

@@ -33,9 +33,9 @@ TEST(BodyLayoutTest, BodyShape) {
 
 TEST(BodyLayoutTest, BodyDrive) {
   using S = BodyDrive;
-  EXPECT_EQ(on_device("BodyDrive", {"thrust_n", "tile_x", "heading_rad", "padding"}),
+  EXPECT_EQ(on_device("BodyDrive", {"thrust_n", "tile_x", "heading_rad", "lost_wave_share"}),
             (Layout{sizeof(S), offsetof(S, thrust_n), offsetof(S, tile_x), offsetof(S, heading_rad),
-                    offsetof(S, padding)}));
+                    offsetof(S, lost_wave_share)}));
 }
 
 TEST(BodyLayoutTest, BodyReport) {

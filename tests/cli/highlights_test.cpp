@@ -159,6 +159,8 @@ speed_mps = 0.5
 
 [ocean]
 size = 16
+hs_m = 0.02
+tp_s = 4
 gerstner.count = 0
 
 [camera]

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/base/error.h"
+#include "host/bodies/built_in_data.h"
 #include "host/bodies/floating_bodies.h"
 #include "host/scene/prepare/scene_bodies.h"
 #include "host/scene/prepare/scene_meshes.h"
@@ -22,10 +23,7 @@ LinearBody linear_body(bodies::FloatingBody body) {
       bodies::level_that_displaces(body.hull, body.mass_kg / water.density_kgpm3, body.name.c_str());
   linear.below = bodies::submerged_below(body.hull, linear.level_m);
   linear.data = body.hydrodynamics;
-  if (!linear.data) {
-    linear.data = std::make_shared<const HydrodynamicData>(bodies::panel_method(
-        body.hull, linear.level_m, body.mass_centre_m, water.density_kgpm3, water.gravity_mps2));
-  }
+  if (!linear.data) linear.data = bodies::built_in_data(body, water.density_kgpm3, water.gravity_mps2);
   std::array<double, 9> inertia{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) inertia[static_cast<std::size_t>(3 * i + j)] = body.inertia_kgm2[i][j];

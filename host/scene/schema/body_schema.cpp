@@ -78,7 +78,7 @@ std::vector<Row<BodyScene>> load_rows() {
             "added mass, damping and wave forces of its hull, by frequency: NetCDF of Capytaine or one of "
             "WAMIT's files .1, .3, .hst. x forward; x = y = 0 is its hull's origin, z = 0 the still water",
         .example = "hull.nc",
-        .absent = "estimates",
+        .absent = "those of a panel method",
         .rule = ParameterRule::file_name}},
       {&BodyScene::hydrodynamics_length_m,
        {.key = "hydrodynamics_length_m",
