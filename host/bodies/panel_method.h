@@ -13,6 +13,7 @@
 
 namespace offing::bodies {
 
+/// How finely a hull is computed.
 struct PanelOptions {
   std::size_t panels = 270;      ///< of the wetted hull, as panel_hull() has them
   std::size_t frequencies = 24;  ///< at least 2

@@ -97,7 +97,7 @@ class PartsTest(unittest.TestCase):
     # Fails if a box does not float where Archimedes says: 800 kg/m^3 in water of 1025 kg/m^3.
     def test_bodies(self):
         world = offing.World({
-            "wind": {"speed_mps": 1}, "ocean": {"size": 16},
+            "wind": {"speed_mps": 1}, "ocean": {"size": 16, "hs_m": 0.02, "tp_s": 3.0},
             "mesh": [{"name": "crate", "shape": "box", "size_m": 2.0}],
             "body": [{"mesh": "crate", "mass_kg": 1000.0}],
         }).at(1.0)
