@@ -261,7 +261,8 @@ typedef struct OffingSample {
   float residual_m;      /**< by how much the point was missed sideways; large where the surface folds */
 } OffingSample;
 
-/** Samples the water at `count` points: all cascades and Gerstner waves together. */
+/** Samples the water at `count` points: all cascades and Gerstner waves together. For acceleration and the
+ * expected error call offing_sample_water(). */
 OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
                            size_t count, OffingSample* samples);
 
@@ -282,6 +283,7 @@ typedef struct OffingWaterQuery {
   double min_wavelength_m; /**< shorter waves are left out, as for a large hull */
   int is_surface_only; /**< 1: leaves out velocity, pressure and acceleration, which are 0 in samples then */
   int accuracy;        /**< an OffingAccuracy */
+  int is_full;         /**< 1: offing_sample_water_on_device() writes full samples, of twelve floats */
 } OffingWaterQuery;
 
 /** Where offing_sample_water() writes, an array for each quantity. */
@@ -308,7 +310,8 @@ OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* que
  *
  * `points` [count] has two int32 tiles (x, z) and two floats (x, z); a coordinate is 64 tile + float, m.
  * `samples` [count] gets eight floats: height m, slopes dh/dx and dh/dz, residual m, velocity x, y, z m/s,
- * pressure Pa. */
+ * pressure Pa. With `is_full` of the query it gets four more: acceleration x, y, z m/s^2, and the expected
+ * root mean square error of the height, m. */
 OffingStatus offing_sample_water_on_device(OffingWorld* world, const OffingWaterQuery* query, void* points,
                                            size_t count, void* samples);
 

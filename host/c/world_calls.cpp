@@ -309,9 +309,16 @@ OffingStatus offing_sample_water_on_device(OffingWorld* world, const OffingWater
     const offing::ocl::Device& device = world->world.device();
     const auto places =
         offing::ocl::Buffer<SurfaceQueryPoint>::adopt(device, static_cast<cl_mem>(points), "points");
-    auto found = offing::ocl::Buffer<offing::ocean::FirstWaterFloats>::adopt(
-        device, static_cast<cl_mem>(samples), "samples");
-    world->world.sample(places, count, found, query_of(query, true));
+    const auto sample_into = [&]<class Sample>(offing::ocl::Buffer<Sample> found) {
+      world->world.sample(places, count, found, query_of(query, true));
+    };
+    using offing::ocl::Buffer;
+    if (offing::c::read_struct(query, "query").is_full != 0) {
+      sample_into(Buffer<offing::ocean::WaterSample>::adopt(device, static_cast<cl_mem>(samples), "samples"));
+    } else {
+      sample_into(
+          Buffer<offing::ocean::FirstWaterFloats>::adopt(device, static_cast<cl_mem>(samples), "samples"));
+    }
   });
 }
 

@@ -71,7 +71,9 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool is_unknown_word = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                                dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   if (!is_unknown_word || extras.empty()) {
-    return Error(ErrorKind::bad_usage, fmt::format("{}: {}", full_name(command), told(error)), help);
+    const bool is_excluded = dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr;
+    return Error(ErrorKind::bad_usage, fmt::format("{}: {}", full_name(command), told(error)),
+                 is_excluded ? "remove one of them" : help);
   }
   const std::vector<std::string> names = known_names(command);
   const std::vector<std::string_view> candidates(names.begin(), names.end());

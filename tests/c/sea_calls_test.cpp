@@ -196,13 +196,26 @@ TEST_F(SeaCallsTest, SamplesOnTheDevice) {
       << offing_last_error();
   const std::vector<double> places{1.5, 2.5, 64.0, -61.0};
   std::array<float, 2> height{};
+  std::array<float, 24> full{};
   OffingWater water{};
   water.size = sizeof water;
   water.height_m = height.data();
+  water.full_samples = full.data();
   ASSERT_EQ(offing_sample_water(world(), nullptr, places.data(), 2, &water), OFFING_OK);
   const std::vector<ocean::FirstWaterFloats> found = samples.read();
   EXPECT_EQ(found[0][0], height[0]);
   EXPECT_EQ(found[1][0], height[1]);
+
+  const ocl::Buffer<float> full_samples(same, std::vector<float>(24, -7.0f), "full samples");
+  OffingWaterQuery query{};
+  query.size = sizeof query;
+  query.is_full = 1;
+  ASSERT_EQ(offing_sample_water_on_device(world(), &query, points.handle(), 2, full_samples.handle()),
+            OFFING_OK)
+      << offing_last_error();
+  EXPECT_EQ(full_samples.read(), std::vector<float>(full.begin(), full.end()));
+  EXPECT_NE(full[9], 0.0f) << "acceleration";
+  EXPECT_GT(full[11], 0.0f) << "expected error";
 }
 
 // Fails if a world on an adopted device is another sea, or a queue out of order is taken.

@@ -76,6 +76,32 @@ TEST_F(Modes, NameABadFile) {
   EXPECT_THAT(errors_of(path("a.csv")), HasSubstr("a.csv:1: expected a column amplitude_m, got none"));
 }
 
+// Fails if an irregular swell beside a file of modes is left out without a word, or a swell of one wave is
+// refused.
+TEST_F(Modes, RefuseIrregularSwells) {
+  ASSERT_EQ(run({"modes", "-o", path("sea.csv")}).exit_code, 0);
+  const auto with = [&](const std::string& swell) {
+    return run({"query", "--at", "0,0", "--modes-file", path("sea.csv"), "--swell", swell}, false);
+  };
+  const ProgramResult refused = with("hs_m=1,tp_s=14");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.errors,
+            "error: --swell: hs_m: expected no irregular swell beside a file of modes, found hs_m = 1\n"
+            "hint: remove hs_m to add one wave of amplitude_m, or give the swell to `offing ocean modes`\n");
+  EXPECT_EQ(with("amplitude_m=1").exit_code, 0);
+}
+
+// Fails if --swell takes keys that a scene refuses: a key twice, or two that exclude each other.
+TEST_F(Modes, RefuseSwellsThatContradictThemselves) {
+  const auto errors_of = [&](const std::string& swell) {
+    return run({"query", "--at", "0,0", "--swell", swell}).errors;
+  };
+  EXPECT_THAT(errors_of("hs_m=1,hs_m=2"), HasSubstr("expected hs_m once, found it twice"));
+  EXPECT_THAT(errors_of("hs_m=1,amplitude_m=2"),
+              HasSubstr("expected either hs_m or amplitude_m, found both"));
+  EXPECT_THAT(errors_of("period_s=9,wavelength_m=90"), HasSubstr("found both"));
+}
+
 // Fails if the number of points is not known before the first of them is answered, which NetCDF needs.
 TEST_F(Modes, SeriesAreNetcdf) {
   std::ofstream(path("points.csv")) << "x_m,z_m\n0,0\n10,5\n";

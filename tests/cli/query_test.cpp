@@ -183,6 +183,51 @@ TEST_F(Query, PointsMayComeThroughAPipeOnce) {
   EXPECT_EQ(refused.output, "");
 }
 
+// A ship of 24 m runs at 5 m/s through a calm. Fails if her wake is not in the answers, changes water outside
+// its window, or depends on which times were asked for before.
+TEST_F(Query, WakesAreIncluded) {
+  const std::string calm = R"(version = 1
+[ocean]
+size = 32
+hs_m = 0.02
+tp_s = 3
+[[mesh]]
+name = "hull"
+shape = "ship"
+size_m = 24
+[[body]]
+mesh = "hull"
+draught_m = 1.6
+motion = "path"
+speed_mps = 5
+)";
+  const std::string wake = write("wake.toml", calm + R"([[ocean.wake]]
+centre = "body"
+length_m = 96
+cells = 128
+behind_m = 20
+)");
+  const std::string points = write("points.csv", "x_m,z_m\n32,0\n25,4\n500,0\n");
+  const auto heights = [&](const std::string& scene, const std::vector<std::string>& times) {
+    std::vector<std::string> arguments = {"ocean", "query", scene, "--points", points, "--quiet"};
+    arguments.insert(arguments.end(), times.begin(), times.end());
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.errors, testing::Not(HasSubstr("leave out")));
+    std::vector<double> found;
+    for (const std::vector<double>& row : rows(result.output)) found.push_back(row.at(3));
+    return found;
+  };
+  const std::vector<double> without = heights(write("calm.toml", calm), {"--time", "4"});
+  const std::vector<double> with = heights(wake, {"--time", "4"});
+  ASSERT_EQ(with.size(), 3u);
+  EXPECT_GT(with[0] - without[0], 0.1) << "at her bow";
+  EXPECT_GT(std::abs(with[1] - without[1]), 0.05) << "beside it";
+  EXPECT_EQ(with[2], without[2]);
+  const std::vector<double> both = heights(wake, {"--times", "2:4:2"});
+  EXPECT_EQ(std::vector<double>(both.begin() + 3, both.end()), with);
+}
+
 // Fails if a filter or a depth does not reach the sea: without waves below 1 km it is flat, and the pressure
 // 3 m deep is rho g 3 m; or if the words for people leave an answer out.
 TEST_F(Query, FilterAndDepthReachTheSea) {

@@ -218,6 +218,7 @@ void ParameterOptions::take_out_others(scene::Scene& scene, const Flag& flag) co
 
 void ParameterOptions::read_swell(scene::Scene& scene, const std::string& text) const {
   scene::append_element(scene, swell_row("hs_m"), {.subject = "--swell"});
+  std::vector<const Parameter*> given;
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view part = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(part.size() + 1, rest.size()));
@@ -227,6 +228,16 @@ void ParameterOptions::read_swell(scene::Scene& scene, const std::string& text) 
                   "write --swell hs_m=1.5,tp_s=14,direction_deg=60");
     }
     const Parameter& row = swell_row(trimmed(part.substr(0, equals)));
+    for (const Parameter* other : given) {
+      if (other != &row && !exclude_each_other(*other, row)) continue;
+      const std::string_view name = scene::name_of(row.key), other_name = scene::name_of(other->key);
+      throw Error(ErrorKind::bad_usage,
+                  other == &row
+                      ? fmt::format("--swell: expected {} once, found it twice", name)
+                      : fmt::format("--swell: expected either {} or {}, found both", other_name, name),
+                  "remove one of them");
+    }
+    given.push_back(&row);
     store_flag(scene, row, std::string(trimmed(part.substr(equals + 1))),
                {.subject = fmt::format("--swell: {}", scene::name_of(row.key)),
                 .assignment = fmt::format("{}=", scene::name_of(row.key))});

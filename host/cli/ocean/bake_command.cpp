@@ -191,7 +191,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
   warn_of_waves_beside(sea, energy, settings.gerstner);
-  warn_of_water_left_out(scene, "frames");
+  warn_of_water_left_out(scene, "frames", WakeUse::left_out);
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);

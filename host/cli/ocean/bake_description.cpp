@@ -102,7 +102,8 @@ Json mesh_json(MeshFormat format) {
 
 Json left_out_json(const scene::Scene& scene, const scene::Sea& sea, GerstnerUse use) {
   Json json = Json::array();
-  for (const auto& [part, what] : water_left_out(scene)) json.push_back(fmt::format("{}: {}", part, what));
+  for (const auto& [part, what] : water_left_out(scene, WakeUse::left_out))
+    json.push_back(fmt::format("{}: {}", part, what));
   if (use == GerstnerUse::included) return json;
   if (!sea.parameters.gerstner_waves.waves.empty()) json.push_back("the waves listed in gerstner");
   if (!sea.raindrops.empty()) json.push_back("[[ocean.raindrop]]");

@@ -41,7 +41,7 @@ void run(const ModesArguments& arguments, const GlobalOptions& options) {
   if (!is_text) require_extension(arguments.output_file, {".nc", ".csv"});
   const scene::Scene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
-  warn_of_water_left_out(scene, "modes");
+  warn_of_water_left_out(scene, "modes", WakeUse::left_out);
   if (!sea.raindrops.empty()) spdlog::warn("modes leave out the rings of {} raindrops", sea.raindrops.size());
   if (!is_text) require_new(arguments.output_file, arguments.existing, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));

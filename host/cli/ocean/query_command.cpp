@@ -20,6 +20,7 @@
 #include "host/cli/ocean/query_settings.h"
 #include "host/cli/ocean/query_text.h"
 #include "host/cli/ocean/series_file.h"
+#include "host/cli/ocean/wake_history.h"
 #include "host/cli/ocean/water_left_out.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
@@ -228,13 +229,14 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
                     "points, else maps"}}};
 }
 
-void answer(ocean::Ocean& sea, const ocean::WaterQuery& query, const TimeRange& times, PointSource& points,
-            AnswerSink& sink, const GlobalOptions& options) {
+void answer(ocean::Ocean& sea, std::optional<WakeHistory>& wakes, const ocean::WaterQuery& query,
+            const TimeRange& times, PointSource& points, AnswerSink& sink, const GlobalOptions& options) {
   Progress progress(static_cast<int>(times.count), "times",
                     times.count > 1 ? options.verbosity : Verbosity::quiet);
   for (std::int64_t i = 0; i < times.count; ++i) {
     const double time_s = times.time_s(i);
     sea.at(time_s);
+    if (wakes) wakes->at(time_s);
     points.rewind();
     for (auto block = points.next(); !block.empty(); block = points.next()) {
       options.cancel.throw_if_cancelled();
@@ -283,7 +285,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const TimeRange times = read_times(arguments);
   const scene::Scene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
-  warn_of_water_left_out(scene, "answers");
+  warn_of_water_left_out(scene, "answers", WakeUse::included);
   const NarrowedRange water{.flag = "--velocity-depth-m", .high = sea.spectrum.dispersion.depth_m};
   ocean::WaterQuery query = arguments.settings.read({}, water).query;
   if (arguments.is_exact) query.accuracy = ocean::WaterQuery::Accuracy::exact;
@@ -292,9 +294,10 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
     inputs.names.push_back(arguments.points_file);
     require_new(arguments.output_file, arguments.existing, inputs);
   }
-  const std::string hash = scene::scene_hash(
-      scene, sea, fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
-                              query.min_wavelength_m, static_cast<int>(query.accuracy)));
+  const std::string hash =
+      scene::scene_hash(scene, sea,
+                        fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
+                                    query.min_wavelength_m, static_cast<int>(query.accuracy)));
   PointSource points(arguments, times);
   AnswerSink sink(arguments, times,
                   {.points = arguments.writes_netcdf() ? points.count() : 0,
@@ -304,7 +307,9 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                    .scene_hash = hash});
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
-  answer(ocean, query, times, points, sink, options);
+  std::optional<WakeHistory> wakes = WakeHistory::of(device, scene, sea);
+  if (wakes) ocean.set_wakes(wakes->maps());
+  answer(ocean, wakes, query, times, points, sink, options);
   if (sink.missed() > 0) {
     spdlog::warn(
         "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",
@@ -325,8 +330,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
 void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
-  CLI::App* command = ocean.add_subcommand(
-      "query", "compute height, normal, velocity, pressure and acceleration at points");
+  CLI::App* command =
+      ocean.add_subcommand("query", "compute height, normal, velocity, pressure and acceleration at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
@@ -357,7 +362,9 @@ Samples lie on the displaced surface, within 0.0001 m of the vertical through th
 folds, that may fail: residual_m is the horizontal distance that is left. error_rms_m is the root mean square
 error of heights that the spectrum and the accuracy predict, without folding crests. Velocity and acceleration
 are those of linear theory. Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings
-change height and pressure, but not velocity. Samples are sorted by time, then in the order of the points.
+change height and pressure, but not velocity. Wakes, with the bodies that make them, change height, normal,
+pressure and vertical velocity; the bodies are simulated from time 0 on. Samples are sorted by time, then in
+the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

@@ -121,13 +121,14 @@ std::string query_text(const QueryAnswer& answer, double depth_m) {
       "at x {:g} m, z {:g} m, {:g} s\n"
       "  height    {} m\n"
       "  normal    {} (x, y up, z)\n"
-      "  velocity  {} m/s, {:g} m below the surface\n"
+      "  velocity  {} m/s, {}\n"
       "  pressure  {} Pa, there\n"
       "  acceleration  {} m/s^2, there\n"
       "  residual  {:.2g} m\n"
       "  expected error  {:.2g} m\n",
       answer.point.x_m, answer.point.z_m, answer.time_s, fixed_text(sample.height_m, 4), vector(x, y, z),
-      vector(sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps), depth_m,
+      vector(sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps),
+      depth_m == 0.0 ? "at the surface" : fmt::format("{:g} m below the surface", depth_m),
       fixed_text(sample.pressure_pa, 1),
       vector(sample.acceleration_x_mps2, sample.acceleration_y_mps2, sample.acceleration_z_mps2),
       sample.residual_m, sample.error_rms_m);

@@ -94,7 +94,7 @@ ModalSea modes_of(const Table& table, std::string_view file_name, Place place) {
   const double samples = fact(patch_size, 16, 4096, modes.size);
   modes.size = static_cast<int>(samples);
   if (samples != modes.size || (modes.size & (modes.size - 1)) != 0) {
-    fail(name, "a power of two as size", samples, "correct the value in the file");
+    fail(name, "a power of two as size", samples, "write the size of the lattice, such as 64");
   }
   modes.split_radpm = fact(split, 0.0, 1e4, 0.0);
   modes.choppiness = fact(choppy, 0.0, 10.0, modes.choppiness);

@@ -213,7 +213,7 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
     const double k_max_radpm = resolved_wavenumber_radpm(length_m, size);
     if (k_max_radpm <= split_radpm) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("ocean.patch_length_m: expected a patch that resolves waves shorter than the "
+                  fmt::format("patch_m: expected a patch that resolves waves shorter than the "
                               "{:.4g} m of the split, found {:g} m with waves from {:.4g} m",
                               2.0 * pi / split_radpm, length_m, 2.0 * pi / k_max_radpm),
                   fmt::format("use a patch shorter than {:.4g} m, or split at longer waves",
@@ -221,8 +221,8 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
     }
     if (k_max_radpm <= k_min_radpm) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("ocean.patch_length_m: expected different lengths, found {:g} twice", length_m),
-                  "give each cascade a patch length of its own");
+                  fmt::format("patch_m: expected different lengths, found {:g} twice", length_m),
+                  "give each cascade another length");
     }
     cascades.push_back({length_m, k_min_radpm, k_max_radpm});
     k_min_radpm = k_max_radpm;

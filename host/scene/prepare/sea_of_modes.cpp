@@ -4,13 +4,34 @@
 #include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/io/modes/mode_file.h"
 #include "host/ocean/spectrum/mode_spectrum.h"
 #include "host/ocean/surface/cascades.h"
+#include "host/scene/model/named_file.h"
 
 namespace offing::scene {
 
+namespace {
+
+/// The sea's waves are those of the file alone, and an irregular swell has waves on patches too.
+void refuse_irregular_swells(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.ocean.swells.size(); ++i) {
+    if (!scene.ocean.swells[i].hs_m) continue;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected no irregular swell beside a file of modes, found hs_m = {:g}",
+                            place_of_name(scene, {std::string_view("ocean.swell.hs_m"), {i}}),
+                            *scene.ocean.swells[i].hs_m),
+                "remove hs_m to add one wave of amplitude_m, or give the swell to `offing ocean modes`");
+  }
+}
+
+}  // namespace
+
 Sea sea_of_modes(const Scene& scene) {
+  refuse_irregular_swells(scene);
   const std::string& file = scene.ocean.modes_file;
   require_file(scene, "ocean.modes_file", file, "a file of modes");
   const auto modes = std::make_shared<const ModalSea>(read_modes(file, scene.trust));
