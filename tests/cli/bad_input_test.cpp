@@ -118,7 +118,7 @@ const std::vector<BadInput> bad_inputs = {
      {"ocean", "stats", "--seeds", "0"},
      2,
      "--seeds: expected a whole number .*got \"0\""},
-    {"equal_patches", nothing, stats({"--patch-m", "100,100"}), 2, ".*patch_length_m.*100.*"},
+    {"equal_patches", nothing, stats({"--patch-m", "100,100"}), 2, ".*patch_m.*100.*"},
     {"too_many_patches", nothing, stats({"--patch-m", "9,8,7,6,5"}), 2,
      "--patch-m: expected at most 4 values.*"},
     {"backward_frames",
