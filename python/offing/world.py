@@ -137,11 +137,12 @@ class World:
         self._world.write_modes(str(file))
 
     def sample_on_device(self, points, count: int, samples, *, depth_m: float = 0.0,
-                         min_wavelength_m: float = 0.0, accuracy: str = "automatic") -> None:
+                         min_wavelength_m: float = 0.0, accuracy: str = "automatic", full: bool = False) -> None:
         """sample() with arrays or buffers of PyOpenCL, without a transfer or a wait. See
-        offing_sample_water_on_device() in offing.h for their layout."""
+        offing_sample_water_on_device() in offing.h for their layout. A sample has eight floats, or with `full` twelve:
+        acceleration and expected error too."""
         self._world.sample_on_device(_whole_buffer_of(points), count, _whole_buffer_of(samples), depth_m, min_wavelength_m,
-                                     _accuracy_of(accuracy))
+                                     _accuracy_of(accuracy), full)
 
     def render(self, width_px: int = 1280, height_px: int = 720, *, light: bool = False) -> np.ndarray:
         """What the scene's camera sees at the time of the last at(), as `offing-view --headless` draws it: uint8

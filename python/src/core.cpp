@@ -140,7 +140,7 @@ NB_MODULE(_core, module) {
       .def("sample", &World::sample, "points_m"_a, "depth_m"_a, "min_wavelength_m"_a, "wants_flow"_a,
            "accuracy"_a)
       .def("sample_on_device", &World::sample_on_device, "points"_a, "count"_a, "samples"_a, "depth_m"_a,
-           "min_wavelength_m"_a, "accuracy"_a)
+           "min_wavelength_m"_a, "accuracy"_a, "is_full"_a)
       .def_prop_ro("cascade_count", &World::cascade_count)
       .def_prop_ro("map_size", &World::map_size)
       .def("patch_length_m", &World::patch_length_m, "cascade"_a)

@@ -283,8 +283,9 @@ class World {
     return samples;
   }
   void sample_on_device(std::uintptr_t points, std::size_t count, std::uintptr_t samples, double depth_m,
-                        double min_wavelength_m, int accuracy) {
-    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m, accuracy);
+                        double min_wavelength_m, int accuracy, bool is_full) {
+    OffingWaterQuery query = query_of(depth_m, min_wavelength_m, accuracy);
+    query.is_full = is_full ? 1 : 0;
     run([&] {
       return offing_sample_water_on_device(get(), &query, handle_of(points), count, handle_of(samples));
     });

@@ -115,5 +115,12 @@ TEST_F(Modes, SeriesAreNetcdf) {
   EXPECT_THAT(bytes, HasSubstr("sea_surface_height_above_mean_sea_level"));
 }
 
+// Fails if the name of the file does not choose its format.
+TEST_F(Modes, SeriesAreJson) {
+  ASSERT_EQ(run({"query", "--at", "0,0", "--times", "0:2:0.5", "-o", path("water.json")}).exit_code, 0);
+  std::ifstream file(path("water.json"));
+  EXPECT_EQ(json::parse(file).size(), 5);
+}
+
 }  // namespace
 }  // namespace offing::test

@@ -58,6 +58,9 @@ class PyopenclTest(unittest.TestCase):
         water = self.world.sample(metres)
         np.testing.assert_array_equal(samples.get()[:, 0], water.height_m)
         np.testing.assert_array_equal(samples.get()[:, 4:7], water.velocity_mps)
+        full = pyopencl.array.zeros(self.queue, (3, 12), np.float32)
+        self.world.sample_on_device(points, 3, full, full=True)
+        np.testing.assert_array_equal(full.get()[:, 8:11], water.acceleration_mps2)
 
     # Fails if a buffer that is too small or of another context is written.
     def test_refuses_other_buffers(self):

@@ -48,7 +48,7 @@ TEST(SeaByHeight, ExcludesWhatItReplaces) {
     const Scene scene = sea_scene(more);
     return unused_parameters(scene, prepare_sea(scene, Warnings::left_out));
   };
-  EXPECT_THAT(warnings("tp_s = 8\n"), testing::ElementsAre(testing::HasSubstr("there is no ocean.hs_m")));
+  EXPECT_THAT(warnings("tp_s = 8\n"), testing::ElementsAre(testing::HasSubstr("there is no hs_m")));
   EXPECT_THAT(warnings("spectrum = \"phillips\"\nhs_m = 2\n"),
               testing::ElementsAre(testing::HasSubstr("the spectrum is phillips")));
   EXPECT_THAT(warnings("hs_m = 2\n[wind]\nspeed_mps = 9\n"),

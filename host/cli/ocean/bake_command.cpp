@@ -169,15 +169,32 @@ bool holds(const std::string& file, const std::string& text) {
   return found && std::string(std::istreambuf_iterator<char>(found), {}) == text;
 }
 
-/// A bake that resumes finds what it has exported: an equal file is left alone.
-void export_spectrum(const std::string& file, const scene::Sea& sea, Existing existing,
-                     const GivenInputs& inputs) {
-  const WaveSpectrum exported = scene::sampled_spectrum(sea);
-  const std::string text = ww3_text(file, std::span(&exported, 1));
-  if (holds(file, text)) return;
-  require_new(file, existing, inputs);
-  write_file_atomically(file, text, existing);
-}
+/// The file of --export-spectrum; none for an empty name. A bake that resumes finds what it has exported: an
+/// equal file is left alone, and another is refused at once.
+class SpectrumExport {
+ public:
+  SpectrumExport(std::string file, const scene::Sea& sea, Existing existing, const GivenInputs& inputs)
+      : file_(std::move(file)), existing_(existing) {
+    if (file_.empty()) return;
+    const WaveSpectrum sampled = scene::sampled_spectrum(sea);
+    text_ = ww3_text(file_, std::span(&sampled, 1));
+    if (std::filesystem::exists(file_)) require_new_or_equal(inputs);
+  }
+
+  void write(const GivenInputs& inputs) const {
+    if (file_.empty() || holds(file_, text_)) return;
+    require_new(file_, existing_, inputs);
+    write_file_atomically(file_, text_, existing_);
+  }
+
+ private:
+  void require_new_or_equal(const GivenInputs& inputs) const {
+    if (!holds(file_, text_)) require_new(file_, existing_, inputs);
+  }
+
+  std::string file_, text_;
+  Existing existing_;
+};
 
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::Scene scene = arguments.parameters.read();
@@ -185,6 +202,8 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const BakeSettings settings = read_settings(arguments, scene, sea.spectrum.dispersion.depth_m);
   const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
   const scene::EnergyShares energy = scene::energy_shares(sea.spectrum, sea.parameters.cascades);
+  const GivenInputs inputs = arguments.parameters.inputs(scene);
+  const SpectrumExport exported(arguments.export_file, sea, settings.existing, inputs);
   if (!arguments.json) {
     print_summary("{}", cascade_text(sea, energy));
     std::fflush(stdout);
@@ -195,14 +214,11 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
-  const GivenInputs inputs = arguments.parameters.inputs(scene);
-  if (const std::filesystem::path exported = arguments.export_file; files.will_write(exported)) {
-    require_distinct({{"-o", settings.folder / exported.filename()}, {"--export-spectrum", exported}});
+  if (const std::filesystem::path file = arguments.export_file; files.will_write(file)) {
+    require_distinct({{"-o", settings.folder / file.filename()}, {"--export-spectrum", file}});
   }
   files.prepare_folder(inputs);
-  if (!arguments.export_file.empty()) {  // after the folder: it may lie there
-    export_spectrum(arguments.export_file, sea, settings.existing, inputs);
-  }
+  exported.write(inputs);  // after the folder: it may lie there
   const std::string description = bake_description(scene, sea, settings, energy, hash).dump(2) + "\n";
   if (const std::string file = files.description(); !holds(file, description)) {
     write_file_atomically(file, description);  // prepare_folder() has looked at what is there

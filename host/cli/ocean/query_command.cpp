@@ -182,7 +182,8 @@ class AnswerSink {
 
   static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
     if (arguments.writes_file()) {
-      return arguments.writes_netcdf() ? Style::netcdf : Style::csv;
+      if (arguments.writes_netcdf()) return Style::netcdf;
+      return lower_extension(arguments.output_file) == ".json" ? Style::json_array : Style::csv;
     }
     const bool is_single = arguments.points_file.empty() && times.count == 1;
     if (arguments.json) {
@@ -347,8 +348,9 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
       ->excludes(command->get_option("--accuracy"))
       ->group(group);
   add("-o,--output", arguments->output_file, "FILE",
-      "file to write, complete or not at all: NetCDF with CF names (.nc), else CSV (- or default: CSV to "
-      "standard output)");
+      "file to write, complete or not at all: NetCDF with CF names (.nc), a JSON array (.json), else CSV (- "
+      "or "
+      "default: CSV to standard output)");
   add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,

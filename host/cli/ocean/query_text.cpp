@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -124,14 +125,16 @@ std::string query_text(const QueryAnswer& answer, double depth_m) {
       "  velocity  {} m/s, {}\n"
       "  pressure  {} Pa, there\n"
       "  acceleration  {} m/s^2, there\n"
-      "  residual  {:.2g} m\n"
+      "  residual  {}\n"
       "  expected error  {:.2g} m\n",
       answer.point.x_m, answer.point.z_m, answer.time_s, fixed_text(sample.height_m, 4), vector(x, y, z),
       vector(sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps),
       depth_m == 0.0 ? "at the surface" : fmt::format("{:g} m below the surface", depth_m),
       fixed_text(sample.pressure_pa, 1),
       vector(sample.acceleration_x_mps2, sample.acceleration_y_mps2, sample.acceleration_z_mps2),
-      sample.residual_m, sample.error_rms_m);
+      std::isfinite(sample.residual_m) ? fmt::format("{:.2g} m", sample.residual_m)
+                                       : "unknown: the search found no water under folded crests",
+      sample.error_rms_m);
 }
 
 }  // namespace offing::cli

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "host/ocean/spectrum/sea_spectrum.h"
+
 namespace offing::ocean {
 
 /// U10, m/s: the wind that makes a sea of this significant height and peak period, by the growth laws of
@@ -11,6 +13,11 @@ namespace offing::ocean {
 /// The spectrum of jonswap takes its energy from Hasselmann's law of alpha instead, and has more: its own
 /// height and period give back a stronger wind (100 km of fetch at 12 m/s: 19.9 m/s).
 double wind_of_height_and_period_mps(double hs_m, double peak_period_s, double gravity_mps2);
+
+/// U10, m/s, of a sea that may hold swell: the strongest wind that the waves above any frequency ask for by
+/// wind_of_height_and_period_mps(). Of a wind sea alone that is its own wind, since leaving out its longest
+/// waves takes more from Hs^2 than it takes from Tp^3. Of a mixed sea it is the wind of its steepest part.
+double wind_of_spectrum_mps(const SeaSpectrum& spectrum);
 
 /// Peak period, s, of a fully developed sea of this height: 2 pi (5 m0 / (alpha g^2))^(1/4) with alpha =
 /// 0.0081 (Pierson and Moskowitz 1964). On Earth it is 5.0 sqrt(Hs).

@@ -60,9 +60,7 @@ double whitecap_wind_mps(const Scene& scene, const Sea& sea) {
                                          : ocean::wind_at_10_m_mps(spectrum.model, sea.wind.wind_speed_mps);
   }
   if (scene.ocean.wind_speed_mps) return *scene.ocean.wind_speed_mps;
-  return ocean::wind_of_height_and_period_mps(ocean::integrate_sea_state(sea.spectrum).hs_m,
-                                              2.0 * std::numbers::pi / sea.spectrum.omega_peak_radps,
-                                              sea.spectrum.dispersion.gravity_mps2);
+  return ocean::wind_of_spectrum_mps(sea.spectrum);
 }
 
 /// Unless the scene says how much, foam covers what whitecaps do.

@@ -94,7 +94,7 @@ std::string needs_model_with_height(const UseContext& context, const OceanSectio
 std::string needs_height(const UseContext& context, const OceanSection& ocean) {
   const std::string reason = needs_one_of(
       {SpectrumModel::pierson_moskowitz, SpectrumModel::jonswap, SpectrumModel::tma}, context, ocean);
-  return reason.empty() && !ocean.spectrum.hs_m ? "there is no ocean.hs_m" : reason;
+  return reason.empty() && !ocean.spectrum.hs_m ? "there is no hs_m" : reason;
 }
 
 std::string needs_peak_period(const UseContext& context, const OceanSection& ocean) {

@@ -338,6 +338,16 @@ TEST_F(Bake, ExportsOnceTheFolderIsThere) {
   EXPECT_FALSE(std::filesystem::exists(folder("b.spec")));
 }
 
+// Fails if a bake that refuses an exported file of another sea leaves a folder behind.
+TEST_F(Bake, RefusesAnOtherExportAtOnce) {
+  std::ofstream(folder("b.spec")) << "another";
+  const ProgramResult refused =
+      run_offing(command("fresh", {"--frames", "0:0", "--export-spectrum", folder("b.spec").string()}));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.output, "");
+  EXPECT_FALSE(std::filesystem::exists(folder("fresh")));
+}
+
 // Fails if a loop does not return to its first frame, bit by bit: foam too, whose past lies in the loop
 // before.
 TEST_F(Bake, LoopsExactly) {

@@ -147,6 +147,28 @@ TEST(HeightAndPeriod, WindFollowsFromTheFetchLaws) {
   EXPECT_EQ(wind_of_height_and_period_mps(0.5, 40.0, g_mps2), 0.1);
 }
 
+// Fails if a swell changes the wind of a sea: gate 5 %, for the tail of the swell under the wind sea's peak.
+// Without a swell the wind is that of the sea's own height and period: gate 1 %, for steps of frequency.
+TEST(HeightAndPeriod, SwellDoesNotChangeTheWind) {
+  SpectrumParameters waves;
+  waves.hs_m = 1.2;
+  waves.tp_s = 4.5;
+  const SeaSpectrum sea = make_sea_spectrum(waves);
+  const double wind_mps = wind_of_height_and_period_mps(1.2, 4.5, g_mps2);
+  EXPECT_NEAR(wind_of_spectrum_mps(sea) / wind_mps, 1.0, 0.01);
+
+  SpectrumParameters longer = waves;
+  longer.model = SpectrumModel::swell;
+  longer.hs_m = 3.0;
+  longer.tp_s = 14.0;
+  const SeaSpectrum swell = make_sea_spectrum(longer);
+  EXPECT_LT(wind_of_spectrum_mps(swell), 4.0);
+  SeaSpectrum mixed = sea;
+  mixed.energy = [&](double omega_radps) { return sea.energy(omega_radps) + swell.energy(omega_radps); };
+  mixed.omega_min_radps = std::min(sea.omega_min_radps, swell.omega_min_radps);
+  EXPECT_NEAR(wind_of_spectrum_mps(mixed) / wind_mps, 1.0, 0.05);
+}
+
 // Fails if a height or period out of range makes a sea.
 TEST(HeightAndPeriod, RejectsValuesOutOfRange) {
   for (const double wrong : {0.0, -1.0, 100.0, std::numeric_limits<double>::quiet_NaN()}) {
