@@ -11,7 +11,7 @@ namespace offing::ocean {
 /// no local wind made, it is near 0. Clamped to 0.1 ... 100 m/s.
 ///
 /// The spectrum of jonswap takes its energy from Hasselmann's law of alpha instead, and has more: its own
-/// height and period give back a stronger wind (100 km of fetch at 12 m/s: 19.9 m/s).
+/// height and period give back a stronger wind (100 km of fetch at 12 m/s: 20.2 m/s).
 double wind_of_height_and_period_mps(double hs_m, double peak_period_s, double gravity_mps2);
 
 /// U10, m/s, of a sea that may hold swell: the strongest wind that the waves above any frequency ask for by
