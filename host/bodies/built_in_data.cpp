@@ -60,7 +60,7 @@ std::shared_ptr<const HydrodynamicData> built_in_data(const FloatingBody& body, 
   if (!is_finite(*data)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: the panel method finds no finite added mass for its hull", body.name),
-                "check the mesh with offing-mesh check, or name a hydrodynamic data base");
+                "check the mesh with offing-mesh check, or name a file in body.hydrodynamics");
   }
   if (known.size() == most_kept) known.pop_front();
   known.push_back({.hull = body.hull, .level_m = level_m, .data = data});

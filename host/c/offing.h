@@ -151,7 +151,8 @@ typedef struct OffingSpectrum {
   const char* time_utc;                        /**< such as "2020-06-08T03:50Z"; "": not known */
 } OffingSpectrum;
 
-/** Reads all spectra of a file: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF. */
+/** Reads all spectra of a file: NDBC, WAVEWATCH III, SWAN, Datawell, TRIAXYS, Octopus, Spotter or NetCDF,
+ * plain or compressed with gzip. */
 OffingStatus offing_read_spectra(const char* file, OffingSpectra** spectra);
 /** Makes one spectrum from arrays, which are copied. With directions, at least two in any order, `density` is
  * read and `energy_m2phz` is not. Uneven directions, or those of a part of the circle, are resampled to 360
@@ -241,28 +242,29 @@ OffingStatus offing_frame(OffingWorld* world, double time_s);
 /** The time of the last frame, s; that of the scene's start before the first. */
 OffingStatus offing_get_time(OffingWorld* world, double* time_s);
 
-/** A place in plan, where water is sampled. */
+/** A point in the horizontal plane, where water is sampled. */
 typedef struct OffingPoint {
-  double x_m, z_m; /**< within 2e7 m of the origin */
+  double x_m, z_m; /**< east and south of the origin, within 2e7 m */
 } OffingPoint;
 
 /** Settings of offing_sample(). NULL stands for zeros: velocity and pressure at the surface, all waves. */
 typedef struct OffingQuery {
   double depth_m;          /**< of velocity and pressure, below the moving surface */
-  double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
+  double min_wavelength_m; /**< shorter waves are left out, as for a large hull */
 } OffingQuery;
 
 /** The water at a point. */
 typedef struct OffingSample {
-  float height_m;        /**< of the surface */
-  float normal[3];       /**< of the surface, unit, upward */
+  float height_m;        /**< of the surface, above the mean sea level */
+  float normal[3];       /**< unit normal of the surface, upward */
   float velocity_mps[3]; /**< of the water at the query's depth; rings of raindrops add nothing */
-  float pressure_pa;     /**< there, above that of the air */
-  float residual_m;      /**< by how much the point was missed sideways; large where the surface folds */
+  float pressure_pa;     /**< at the query's depth, relative to the air */
+  float residual_m; /**< horizontal distance of the sample from the point; large where the surface folds */
 } OffingSample;
 
-/** Samples the water at `count` points: all cascades and Gerstner waves together. For acceleration and the
- * expected error call offing_sample_water(). */
+/** Samples the water at `count` points, where the moving surface meets their verticals: cascades, Gerstner
+ * waves, rings of raindrops and wakes together, with the effect of shores. For acceleration and the expected
+ * error call offing_sample_water(). */
 OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
                            size_t count, OffingSample* samples);
 
@@ -289,26 +291,27 @@ typedef struct OffingWaterQuery {
 /** Where offing_sample_water() writes, an array for each quantity. */
 typedef struct OffingWater {
   size_t size;              /**< sizeof(OffingWater) */
-  float* height_m;          /**< [count], of the surface */
-  float* normal;            /**< [count][3], of the surface, unit, upward */
+  float* height_m;          /**< [count], as in OffingSample */
+  float* normal;            /**< [count][3], as in OffingSample */
   float* velocity_mps;      /**< [count][3], of the water at the query's depth */
-  float* pressure_pa;       /**< [count], there, above that of the air */
+  float* pressure_pa;       /**< [count], at the query's depth, relative to the air */
   float* residual_m;        /**< [count], as in OffingSample */
   float* samples;           /**< [count][8], as offing_sample_water_on_device() writes them */
   float* acceleration_mps2; /**< [count][3], of the water at the query's depth */
-  float*
-      error_rms_m; /**< [count], expected root mean square error of the height, beside what residual_m adds */
+  float* error_rms_m;  /**< [count], expected root mean square error of the height, without what residual_m
+                          adds */
   float* full_samples; /**< [count][12], the eight of samples, acceleration and error_rms_m: the cheapest */
 } OffingWater;
 
-/** Samples the water as offing_sample() does, at points [count][2] of x and z in m. It is faster if neither
- * velocity nor pressure nor acceleration is wanted. */
+/** Samples the water as offing_sample() does, at points [count][2] of x and z in m. It is faster if you want
+ * neither velocity nor pressure nor acceleration. */
 OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* query, const double* points_m,
                                  size_t count, const OffingWater* water);
 
-/** Enqueues the same with cl_mem buffers of the device's context, without a transfer or a wait.
+/** Does the same with cl_mem buffers of the device's context: it enqueues commands, without a transfer or a
+ * wait.
  *
- * `points` [count] has two int32 tiles (x, z) and two floats (x, z); a coordinate is 64 tile + float, m.
+ * `points` [count] has two int32 tiles (x, z) and two floats (x, z); a coordinate in m is 64 * tile + float.
  * `samples` [count] gets eight floats: height m, slopes dh/dx and dh/dz, residual m, velocity x, y, z m/s,
  * pressure Pa. With `is_full` of the query it gets four more: acceleration x, y, z m/s^2, and the expected
  * root mean square error of the height, m. */
@@ -528,13 +531,13 @@ typedef struct OffingBodyPoses {
 OffingStatus offing_read_body_poses(OffingWorld* world, size_t count, const OffingBodyPoses* poses);
 
 /** Where offing_read_body_forces() writes. Forces and moments are in world axes, moments about the mass
- * centre. */
+ * centre. They leave out the excitation and radiation of the hull's hydrodynamic data. */
 typedef struct OffingBodyForces {
   size_t size;               /**< sizeof(OffingBodyForces) */
   double* time_s;            /**< [1], the end of the sub-step */
   float* pressure_n;         /**< [count][3], force of pressure */
   float* pressure_moment_nm; /**< [count][3] */
-  float* drag_n;             /**< [count][3], force of friction, drag and the hull's own waves */
+  float* drag_n;             /**< [count][3], force of friction and drag */
   float* drag_moment_nm;     /**< [count][3] */
   float* displaced_m3;       /**< [count], volume of displaced water */
   float* wetted_m2;          /**< [count], wetted area of the hull */

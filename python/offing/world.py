@@ -30,9 +30,10 @@ ACCURACIES = ("automatic", "exact", "maps", "frame_maps")
 class Water:
     """The water at points, float32. All arrays but `normal` are views of one array, which the device wrote.
 
-    height_m [n]: of the surface. velocity_mps [n, 3], pressure_pa [n], above air pressure, and acceleration_mps2 [n, 3]:
-    at depth_m; None without flow. residual_m [n]: horizontal distance between the sample and its point, large where the
-    surface folds. error_rms_m [n]: expected root mean square error of height_m, without what residual_m adds.
+    height_m [n]: of the surface, above the mean sea level. velocity_mps [n, 3], pressure_pa [n], relative to the air, and
+    acceleration_mps2 [n, 3]: of the water at depth_m; None without flow. residual_m [n]: horizontal distance of the sample
+    from its point, large where the surface folds. error_rms_m [n]: expected root mean square error of height_m, without
+    what residual_m adds.
     """
 
     def __init__(self, samples, has_flow):
@@ -85,9 +86,10 @@ class World:
 
     def sample(self, points_m: npt.ArrayLike, *, depth_m: float = 0.0, min_wavelength_m: float = 0.0,
                flow: bool = True, accuracy: str = "automatic") -> Water:
-        """The Water at points [n, 2] of x and z in m: all cascades and Gerstner waves together. Velocity, pressure and
-        acceleration are those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves
-        shorter than min_wavelength_m are left out, as for a large hull.
+        """The Water at points [n, 2] of x (east) and z (south) in m: cascades, Gerstner waves, rings of raindrops and wakes
+        together, with the effect of shores. Velocity, pressure and acceleration are those at depth_m below the moving
+        surface. Without `flow` they are None, which is faster. Waves shorter than min_wavelength_m are left out, as for a
+        large hull.
 
         `accuracy` is "exact", "maps", "frame_maps" or "automatic". "exact" sums all waves for each point. "maps" are splines
         on fine maps, made once for each time. "frame_maps" is linear interpolation of the maps of fields(): the fastest, but
@@ -168,8 +170,8 @@ class World:
 
     def body_forces(self) -> dict:
         """Forces of the water on the bodies in the last sub-step, which ends at time_s, as a dict. pressure_n, drag_n,
-        pressure_moment_nm and drag_moment_nm are [n, 3] in world axes, moments about the mass centre. displaced_m3 and
-        wetted_m2 are [n]."""
+        pressure_moment_nm and drag_moment_nm are [n, 3] in world axes, moments about the mass centre. They leave out the
+        excitation and radiation of hydrodynamic data. displaced_m3 and wetted_m2 are [n]."""
         return _core.body_forces(self._world)
 
     def meshes(self) -> list[dict]:

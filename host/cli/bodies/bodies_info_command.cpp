@@ -125,8 +125,9 @@ void add_bodies_info_command(CLI::App& parent, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-Places are in the axes of the hull: forward, up, to starboard. Data come from body.hydrodynamics, else from
-a panel method. A negative metacentric height means that the body capsizes.
+Places are in the axes of the hull: forward, up, to starboard. Natural periods are without damping.
+Hydrodynamic data come from body.hydrodynamics, else from a panel method. A body with a negative metacentric
+height capsizes.
 
 Example:
   offing bodies info scenes/afloat.toml --json)");

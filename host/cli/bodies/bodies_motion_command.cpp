@@ -289,8 +289,10 @@ void add_bodies_motion_command(CLI::App& parent, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-A vertex p of a hull is at origin + turn p. x points east, y up and z south. Velocities and accelerations
-are of the mass centre; spins are about the axes of the hull.
+x points east, y up and z south. To place a vertex of the hull, turn it by the unit quaternion turn_w, turn_x,
+turn_y, turn_z, then add origin_x_m, origin_y_m, origin_z_m. Velocities and accelerations are of the mass
+centre; spins are about the axes of the hull. heading_deg is from east toward south, pitch_deg lifts the bow,
+roll_deg lowers the starboard side.
 
 Examples:
   offing bodies motion scenes/afloat.toml --times 0:60:0.1 -o motion.nc

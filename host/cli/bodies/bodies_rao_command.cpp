@@ -52,7 +52,7 @@ std::vector<double> read_values(std::string_view flag, std::string_view text, do
   std::vector<double> numbers;
   const bool is_range = text.find(':') != std::string_view::npos;
   if (is_range) {
-    const TimeRange range = read_time_range(flag, text);
+    const TimeRange range = read_time_range(flag, text, example);
     if (range.count > static_cast<std::int64_t>(most_values)) throw bad();
     for (std::int64_t i = 0; i < range.count; ++i) numbers.push_back(range.time_s(i));
   }
@@ -127,7 +127,7 @@ void warn_of_range(const LinearBody& body, const std::vector<double>& periods_s)
   const double shortest = turn / body.data->frequencies_radps.back();
   const auto [low, high] = std::ranges::minmax_element(periods_s);
   if (*low < shortest * 0.999 || *high > longest * 1.001) {
-    spdlog::warn("{}: its hydrodynamic data reach from {:.3g} to {:.3g} s; beyond, the nearest ones count",
+    spdlog::warn("{}: its hydrodynamic data reach from {:.3g} to {:.3g} s; other periods take the nearest",
                  one_line(body.body.name), shortest, longest);
   }
 }
@@ -199,8 +199,9 @@ void add_bodies_rao_command(CLI::App& parent, GlobalOptions& options) {
   add("--periods", arguments->periods, "A:B:DT", "Waves",
       "periods in s, as a range or with commas between them (default: 4:20:0.25)");
   add("--directions", arguments->directions, "X,...", "Waves",
-      "direction of travel in degrees, from the bow toward starboard: 180 from ahead\n(default: 180,90,0)");
-  add("--body", arguments->body, "NAME", "Waves", "this body alone (default: all)");
+      "directions in which waves travel, in degrees from the bow toward starboard: 180 is against the bow\n"
+      "(default: 180,90,0)");
+  add("--body", arguments->body, "NAME", "Waves", "only this body (default: all)");
   add("-o,--output", arguments->output, "FILE", "Output", "CSV file to write (default: -, standard output)");
   add("--plot", arguments->plot, "FILE", "Output",
       "PNG of the amplitudes of the first body against the period");
@@ -209,9 +210,10 @@ void add_bodies_rao_command(CLI::App& parent, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-Amplitudes are of the mass centre, per metre of wave amplitude. Surge is forward, sway to starboard, heave
-up; roll lowers the starboard side, pitch lifts the bow, yaw turns the bow to port. A motion leads the wave's
-crest at the mass centre by lead_deg. There is no forward speed, viscous drag or mooring.
+Amplitudes are of the mass centre, in m or degrees per metre of wave amplitude. Surge is forward, sway to
+starboard, heave up; roll lowers the starboard side, pitch lifts the bow, yaw turns the bow to port. lead_deg
+is the phase in degrees by which a motion is ahead of the wave's crest at the mass centre. There is no
+forward speed, viscous drag or mooring.
 
 Examples:
   offing bodies rao scenes/afloat.toml --periods 3:15:0.25 -o rao.csv --plot rao.png

@@ -275,7 +275,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   add("--export-spectrum", arguments->export_file, "FILE",
       "also write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
-      "make part i of n of the frames, so that n processes can share a folder (default 1/1)");
+      "make every n-th frame, beginning with the i-th: n processes can share a folder (default: 1/1)");
   add_force_flag(command, settings.existing)
       ->description("replace existing files, including frames of another scene and all files made from them")
       ->group(group);
@@ -293,10 +293,12 @@ void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
   add_global_options(*command, options, DeviceUse::any_number);
   command->footer(R"(
+ocean.json in the folder describes the files. Frames show the open sea, without wakes, bodies and shores.
+
 Examples:
   offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out
   offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
-  offing ocean bake scenes/storm.toml --chunk 2/8 -o out     (the second of eight machines))");
+  offing ocean bake scenes/storm.toml --chunk 2/8 -o out     (for the second of eight processes))");
   command->callback([arguments, &options] { run(*arguments, options); });
 }
 

@@ -85,8 +85,8 @@ With p = kx_radpm x + kz_radpm z - omega_radps t + phase_rad, water that is at (
 of amplitude_m cos p. It moves sideways by the sum of -choppiness (kx, kz)/k amplitude_m sin p. Waves on no
 patch (patch -1) are Gerstner waves: their choppiness is at most 1 over the sum of their k amplitude_m.
 
---modes-file of the other commands, or the scene key ocean.modes_file, makes a sea of the file. The file has
-no wind: add --wind-speed-mps there for the foam.
+Other commands make this sea by --modes-file, scenes by the key ocean.modes_file. The file has no wind: add
+--wind-speed-mps for the foam. It leaves out wakes, shores and raindrops.
 
 Examples:
   offing ocean modes scenes/storm.toml -o storm.nc

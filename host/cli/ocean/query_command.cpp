@@ -219,7 +219,7 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
             .unit = "m",
             .low = 0.0,
             .high = ocean::longest_filter_m,
-            .help = "leave out waves shorter than this, which a long hull does not feel",
+            .help = "leave out waves shorter than this, which do not move a longer hull",
             .example = "30"}},
           {scene::choice(scene::path(query, &ocean::WaterQuery::accuracy),
                          {"automatic", "exact", "maps", "frame-maps"}),
@@ -322,7 +322,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   if (arguments.json) {
     fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
   } else {
-    print_summary("{} samples written: {}\n", sink.count(), arguments.output_file);
+    print_summary("{} sample{} written: {}\n", sink.count(), sink.count() == 1 ? "" : "s",
+                  arguments.output_file);
   }
 }
 
@@ -348,9 +349,8 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
       ->excludes(command->get_option("--accuracy"))
       ->group(group);
   add("-o,--output", arguments->output_file, "FILE",
-      "file to write, complete or not at all: NetCDF with CF names (.nc), a JSON array (.json), else CSV (- "
-      "or "
-      "default: CSV to standard output)");
+      "file to write, complete or not at all: NetCDF with CF names (.nc), a JSON array (.json), else CSV\n"
+      "(default: -, CSV to standard output)");
   add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,
@@ -360,13 +360,12 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-Samples lie on the displaced surface, within 0.0001 m of the vertical through their point. Where the surface
-folds, that may fail: residual_m is the horizontal distance that is left. error_rms_m is the root mean square
-error of heights that the spectrum and the accuracy predict, without folding crests. Velocity and acceleration
-are those of linear theory. Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings
-change height and pressure, but not velocity. Wakes, with the bodies that make them, change height, normal,
-pressure and vertical velocity; the bodies are simulated from time 0 on. Samples are sorted by time, then in
-the order of the points.
+A sample is where the moving surface meets the vertical through a point. residual_m is how far it misses the
+vertical: at most 0.0001 m, except under crests that fold. error_rms_m is the expected error of the height, a
+root mean square, without folding crests. Axes are x east, y up, z south. Velocity and acceleration are those
+of linear theory. Pressure is relative to the air, for sea water of 1025 kg/m^3. Rings of raindrops change
+height, normal and pressure. Wakes change the vertical velocity too; bodies that make them are simulated from
+time 0 on. Samples are sorted by time, then in the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

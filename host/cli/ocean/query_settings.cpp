@@ -37,7 +37,7 @@ std::optional<std::array<double, count>> numbers_in(std::string_view text, char 
 
 }  // namespace
 
-TimeRange read_time_range(std::string_view flag, std::string_view text) {
+TimeRange read_time_range(std::string_view flag, std::string_view text, std::string_view example) {
   const auto numbers = numbers_in<3>(text, ':');
   if (numbers) {
     const auto [first_s, last_s, step_s] = *numbers;
@@ -51,7 +51,7 @@ TimeRange read_time_range(std::string_view flag, std::string_view text) {
   throw bad_argument(flag,
                      fmt::format("A:B:DT in s with {:g} <= A <= B <= {:g}, DT > 0 and at most {:g} times",
                                  -largest_time_s, largest_time_s, most_times),
-                     text, "0:60:0.5");
+                     text, example);
 }
 
 scene::Parameter velocity_depth_facts(std::string_view help) {

@@ -16,9 +16,10 @@ struct TimeRange {
   double time_s(std::int64_t index) const { return first_s + static_cast<double>(index) * step_s; }
 };
 
-/// "A:B:DT" in s: from A to B, both included where DT meets it. Throws Error(bad_usage) unless A <= B, DT >
-/// 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
-TimeRange read_time_range(std::string_view flag, std::string_view text);
+/// "A:B:DT" in s: from A to B, both included where DT meets it. Throws Error(bad_usage), whose hint has the
+/// example, unless A <= B, DT > 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
+TimeRange read_time_range(std::string_view flag, std::string_view text,
+                          std::string_view example = "0:60:0.5");
 
 /// The facts of --velocity-depth-m. Commands narrow its range to the depth of the water.
 scene::Parameter velocity_depth_facts(std::string_view help);

@@ -33,9 +33,10 @@ NetcdfLayout layout_of(const SeriesFile::Facts& facts) {
       {"title", "Water at points"},
       {"source", fmt::format("Offing {}", scene::version())},
       {"comment",
-       fmt::format("x points east, y up and z south; velocity and pressure are those {:g} m below the "
-                   "moving surface; waves shorter than {:g} m are left out",
-                   facts.depth_m, facts.min_wavelength_m)},
+       fmt::format(
+           "x points east, y up and z south; velocity, pressure and acceleration are those {:g} m below the "
+           "moving surface; waves shorter than {:g} m are left out",
+           facts.depth_m, facts.min_wavelength_m)},
       {"scene_hash", facts.scene_hash}};
   layout.dimensions = {{"time", 0}, {"point", facts.points}};
   for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -57,8 +57,10 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-In JSON, peak_period_s is 1 / f where the energy density E(f) is largest: the period that --tp-s sets. tp_s is
-the integral of E^4 over that of f E^4. tz_s is Tm02. spread_deg is the standard deviation of directions.
+The columns are: asked, the whole spectrum; resolved, the part of it that the grids can hold; measured, the
+surface, averaged over the seeds. In JSON, peak_period_s is 1 / f where the energy density E(f) is largest:
+the period that --tp-s sets. tp_s is the integral of E^4 over that of f E^4. tz_s is Tm02. spread_deg is the
+standard deviation of directions.
 
 Examples:
   offing ocean stats --hs-m 2.5 --tp-s 8 --swell hs_m=1,tp_s=14,direction_deg=60

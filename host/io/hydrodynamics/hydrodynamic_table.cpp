@@ -49,7 +49,7 @@ HullWrench turned(const HullWrench& wrench) {
   throw Error(ErrorKind::bad_input, fmt::format("{}: {}", spectra::printable_name(table.name), what), hint);
 }
 
-constexpr const char* write_again = "compute or write the data base again";
+constexpr const char* write_again = "compute the data again, and write a new file";
 
 void require_finite(const HydrodynamicTable& table, const HullMatrix& matrix, const char* what,
                     double frequency_radps) {

@@ -1,4 +1,4 @@
-// What a data base of a hull holds, before it has our axes.
+// What a file of hydrodynamic data holds, before it has our axes.
 #pragma once
 
 #include <complex>

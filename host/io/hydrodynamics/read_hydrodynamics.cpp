@@ -23,7 +23,7 @@ namespace {
 using hydrodynamics::HydrodynamicFile;
 using hydrodynamics::WamitText;
 
-constexpr FileExpectation expectation{.kind = "a hydrodynamic data base",
+constexpr FileExpectation expectation{.kind = "a file of hydrodynamic data",
                                       .most_bytes = std::size_t{1} << 28,
                                       .hint_of_size = "leave out directions or frequencies"};
 
@@ -71,9 +71,9 @@ HydrodynamicFile read(const std::filesystem::path& path, const hydrodynamics::Wa
         module_functions<spectra::NetcdfModule>("netcdf", "read NetCDF").read_arrays);
   }
   throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected a hydrodynamic data base, got {}", spectra::printable_name(name),
+              fmt::format("{}: expected a file of hydrodynamic data, got {}", spectra::printable_name(name),
                           bytes.empty() ? "an empty file" : "a file of unknown format"),
-              "formats read: NetCDF of Capytaine (.nc), numeric output of WAMIT (.1, .3, .hst)");
+              "give the NetCDF file of Capytaine (.nc), or numeric output of WAMIT (.1, .3, .hst)");
 }
 
 }  // namespace

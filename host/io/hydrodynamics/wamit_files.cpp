@@ -57,7 +57,7 @@ void each_line(const WamitText& file, std::string_view columns, std::size_t leas
     is_empty = false;
     take(cursor, numbers);
   }
-  if (is_empty) cursor.fail(columns, "a file without any", columns_hint);
+  if (is_empty) cursor.fail(columns, "a file without numbers", columns_hint);
 }
 
 double length_power(double length_m, std::size_t i, std::size_t j, int least) {

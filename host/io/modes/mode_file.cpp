@@ -94,7 +94,8 @@ ModalSea modes_of(const Table& table, std::string_view file_name, Place place) {
   const double samples = fact(patch_size, 16, 4096, modes.size);
   modes.size = static_cast<int>(samples);
   if (samples != modes.size || (modes.size & (modes.size - 1)) != 0) {
-    fail(name, "a power of two as size", samples, "write the size of the lattice, such as 64");
+    fail(name, "a power of two as size", samples,
+         "write the number of samples along a side of a patch, such as 64");
   }
   modes.split_radpm = fact(split, 0.0, 1e4, 0.0);
   modes.choppiness = fact(choppy, 0.0, 10.0, modes.choppiness);
@@ -103,7 +104,8 @@ ModalSea modes_of(const Table& table, std::string_view file_name, Place place) {
 
   const std::vector<double>& lengths_m = table.facts[patch_length];
   if (lengths_m.size() > most_patches) {
-    fail(name, "up to 4 patches", static_cast<double>(lengths_m.size()), "cascades are at most 4");
+    fail(name, "up to 4 patches", static_cast<double>(lengths_m.size()),
+         "list at most 4 lengths in patch_length_m");
   }
   for (const double length_m : lengths_m) {
     if (!(length_m >= 0.01 && length_m <= 1e6)) {
@@ -139,20 +141,23 @@ ModalSea modes_of(const Table& table, std::string_view file_name, Place place) {
     if (mode.amplitude_m < 0.0 || mode.omega_radps <= 0.0) {
       fail(place(row), "amplitude_m >= 0 and omega_radps > 0",
            mode.amplitude_m < 0.0 ? mode.amplitude_m : mode.omega_radps,
-           "turn the phase by pi instead of the amplitude's sign, and kx and kz instead of omega's");
+           "for a negative amplitude, add pi to phase_rad; for a negative omega, negate omega, kx, kz and "
+           "phase");
     }
     const double patch = table.columns.back().empty() ? SeaMode::alone : table.columns.back()[row];
     if (patch == SeaMode::alone) {
       if (++alone > most_alone) {
         fail(place(row), fmt::format("at most {} waves that are on no patch", most_alone),
              static_cast<double>(alone),
-             "give others a column patch, and put them on the lattice of a patch_length_m");
+             "put other waves on a patch: add a column patch and their patch_length_m");
       }
       continue;
     }
     if (!(patch >= 0.0 && patch < static_cast<double>(rank.size())) || patch != std::floor(patch)) {
-      fail(place(row), fmt::format("a patch within [0, {}], or -1 for none", std::ssize(rank) - 1), patch,
-           "patch_length_m must list the patches");
+      fail(place(row),
+           rank.empty() ? "patch -1, because the file has no patch_length_m"
+                        : fmt::format("a patch within [0, {}], or -1 for none", std::ssize(rank) - 1),
+           patch, "list the length of each patch in patch_length_m, or write -1 for waves on no patch");
     }
     mode.patch = rank[static_cast<std::size_t>(patch)];
     const double step_radpm =
@@ -161,13 +166,14 @@ ModalSea modes_of(const Table& table, std::string_view file_name, Place place) {
       const double index = k_radpm / step_radpm;
       if (std::abs(index - std::round(index)) > 1e-3 || std::abs(index) > 0.5 * modes.size - 0.5) {
         fail(place(row),
-             fmt::format("kx and kz at whole multiples of {:g} rad/m, up to {}", step_radpm,
+             fmt::format("kx and kz at whole multiples of {:g} rad/m, up to {} of them", step_radpm,
                          modes.size / 2 - 1),
-             k_radpm, "the lattice is that of the mode's patch; a larger size has more multiples");
+             k_radpm, "round kx and kz to multiples of 2 pi / patch_length_m; for larger ones raise size");
       }
     }
     if (std::hypot(mode.kx_radpm, mode.kz_radpm) < 0.5 * step_radpm) {
-      fail(place(row), "a wave of some length", 0.0, "leave the mean level out");
+      fail(place(row), "kx or kz other than 0", 0.0,
+           "leave out the wave of infinite length, which is a mean level");
     }
   }
   if (modes.modes.empty()) {
@@ -195,7 +201,7 @@ void parse_fact(TextCursor& cursor, Table& table) {
       const std::optional<double> value = spectra::take_number(rest);
       if (!value) {
         cursor.fail(fmt::format("numbers after {} =", name), fmt::format("\"{}\"", printable(rest)),
-                    "separate several by commas");
+                    "write a number; separate several by commas");
       }
       table.facts[i].push_back(*value);
     }
@@ -323,15 +329,16 @@ ModalSea parse_modes_netcdf(std::string_view bytes, std::string_view file_name,
   for (std::size_t i = 0; i < column_table.size(); ++i) {
     if (!found[i]) {
       if (i >= required_columns) continue;
-      throw Error(ErrorKind::bad_input, fmt::format("{}: expected a variable {}, got none", name, names[i]),
-                  "give a file of `offing ocean modes`, or variables of one dimension with these names");
+      throw Error(
+          ErrorKind::bad_input, fmt::format("{}: expected a variable {}, got none", name, names[i]),
+          "give a file that `offing ocean modes` has written, or variables of one dimension with its names");
     }
     table.columns[i] = *found[i];
     if (table.columns[i].size() != table.columns[0].size()) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected {} values in {}, got {}", name, table.columns[0].size(), names[i],
                               table.columns[i].size()),
-                  "all columns share one dimension");
+                  "give all columns the same dimension");
     }
   }
   for (std::size_t i = 0; i < fact_table.size(); ++i) {

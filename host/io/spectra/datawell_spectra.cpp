@@ -47,17 +47,18 @@ Row parse_row(TextCursor& cursor) {
   }
   if ((count != 2 && count != 6) || !is_blank(cursor.rest())) {
     cursor.fail("six values: f, S/Smax, direction, spread, skewness, kurtosis",
-                fmt::format("\"{}\"", printable(cursor.line())), "the line is cut short or has been edited");
+                fmt::format("\"{}\"", printable(cursor.line())),
+                "the line is cut short or was edited: get the file again");
   }
   Row row{values[0], values[1], {}};
   if (row.relative_density < 0.0) {
     cursor.fail("a density S/Smax >= 0", fmt::format("{:g}", row.relative_density),
-                "the spectrum is damaged");
+                "the file is damaged: get it again");
   }
   if (count == 6) {
     if (std::abs(values[2]) > 360.0 || values[3] < 0.0 || values[3] > 180.0) {
       cursor.fail("a direction within 360 degrees and a spread within [0, 180]",
-                  fmt::format("{:g} and {:g}", values[2], values[3]), "the spectrum is damaged");
+                  fmt::format("{:g} and {:g}", values[2], values[3]), "the file is damaged: get it again");
     }
     row.moments = {ReportedMoments::Kind::both, moments_of(values[2], values[3], values[4], values[5])};
   }
@@ -96,7 +97,8 @@ std::vector<WaveSpectrum> parse_datawell(std::string_view text, std::string_view
     if (i != largest_density_line) continue;
     largest_density = value;
     if (largest_density < 0.0) {
-      cursor.fail("the largest density in m^2/Hz", fmt::format("{:g}", value), "the spectrum is damaged");
+      cursor.fail("the largest density in m^2/Hz", fmt::format("{:g}", value),
+                  "the file is damaged: get it again");
     }
   }
   std::vector<ReportedMoments> moments;
@@ -107,7 +109,7 @@ std::vector<WaveSpectrum> parse_datawell(std::string_view text, std::string_view
     moments.push_back(row.moments);
     if (!std::isfinite(spectrum.energy.back())) {
       cursor.fail("a density S/Smax of at most 1", fmt::format("{:g}", row.relative_density),
-                  "the spectrum is damaged");
+                  "the file is damaged: get it again");
     }
   }
   check_frequencies(spectrum.frequencies_hz, printable_name(file_name));

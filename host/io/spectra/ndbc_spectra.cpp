@@ -107,7 +107,7 @@ Header parse_header(TextCursor& cursor) {
     const std::optional<double> frequency_hz = take_number(rest);
     if (!frequency_hz) {
       cursor.fail("a frequency in Hz", fmt::format("\"{}\"", printable(take_word(rest))),
-                  "the header must list the frequencies");
+                  "list all frequencies in the header, in Hz");
     }
     header.frequencies_hz.push_back(*frequency_hz);
   }
@@ -130,7 +130,7 @@ UtcTime parse_date(TextCursor& cursor, int date_columns) {
   if (!is_valid(time)) {
     cursor.fail("a date such as 2020 06 08 03 50",
                 fmt::format("\"{} {} {} {} {}\"", fields[0], fields[1], fields[2], fields[3], fields[4]),
-                "there is no such day or hour");
+                "correct the date: there is no such day or hour");
   }
   return time;
 }
@@ -142,7 +142,8 @@ std::optional<double> parse_value(TextCursor& cursor, std::string_view expected)
     return std::nullopt;
   }
   if (is_blank(cursor.rest())) {
-    cursor.fail(expected, "the end of the line", "the row has fewer columns than the header or is cut short");
+    cursor.fail(expected, "the end of the line",
+                "the row is cut short or has fewer columns than the header: get the file again");
   }
   const double value = cursor.need_number(expected);
   return value >= missing_from ? std::nullopt : std::optional(value);
@@ -249,7 +250,7 @@ class Companion {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}:1: expected the columns that the file's name promises, got others",
                               printable_name(file_name_)),
-                  "companions of a .data_spec file are .swdir (alpha1), .swdir2 (alpha2), .swr1 and .swr2");
+                  "name the files .swdir (alpha1), .swdir2 (alpha2), .swr1 and .swr2, as NDBC does");
     }
     for (const NdbcRow& row : table_.rows) {
       row_of_time_.emplace(row.time, &row);
@@ -260,7 +261,7 @@ class Companion {
           fail_in_row(
               file_name_, row,
               fmt::format("expected a value within [{:g}, {:g}], got {:g}", lowest, highest, *sample.value),
-              "missing values are written 999");
+              "correct the value, or write 999 if it is missing");
         }
       }
     }
@@ -333,7 +334,7 @@ WaveSpectrum read_energy(const NdbcRow& row, std::string_view file_name) {
       fail_in_row(file_name, row,
                   fmt::format("expected a variance density >= 0 m^2/Hz, got {:g} at {:g} Hz", *sample.value,
                               sample.frequency_hz),
-                  "missing values are written 999");
+                  "correct the value, or write 999 if it is missing");
     }
     spectrum.frequencies_hz.push_back(sample.frequency_hz);
     spectrum.energy.push_back(*sample.value);
@@ -350,7 +351,7 @@ std::vector<WaveSpectrum> parse_ndbc(std::string_view text, std::string_view fil
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}:1: expected spectral densities, got directions or their moments",
                             printable_name(file_name)),
-                "give the .data_spec file; its .swdir .swdir2 .swr1 .swr2 companions are found beside it");
+                "give the .data_spec file: Offing finds the directional files beside it");
   }
   const MomentFiles first(1, companions.alpha1, NdbcQuantity::alpha1, companions.r1, NdbcQuantity::r1);
   const MomentFiles second(2, companions.alpha2, NdbcQuantity::alpha2, companions.r2, NdbcQuantity::r2);
@@ -376,7 +377,7 @@ std::vector<WaveSpectrum> parse_ndbc(std::string_view text, std::string_view fil
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: expected at least one row with two densities, got none", printable_name(file_name)),
-        "the file holds no data or only missing values; choose another month or station");
+        "choose another month or station: this file has only missing values, or none");
   }
   return spectra;
 }

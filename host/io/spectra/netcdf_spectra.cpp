@@ -115,7 +115,7 @@ NetcdfVariable SpectraFile::need_density() const {
       file_.find({"efth", "density", "energy", "VaDens", "energy_1d", "ef"});
   if (!density) {
     file_.fail("expected a variable efth, density, energy or energy_1d, got none of them",
-               "give a spectra file of WAVEWATCH III (ww3_ounp) or SWAN");
+               "give a file of spectra by WAVEWATCH III (ww3_ounp), SWAN or wavespectra");
   }
   return *density;
 }
@@ -134,7 +134,7 @@ std::vector<double> SpectraFile::need_frequencies() const {
   const auto variable = file_.find({"frequency", "freq"});
   if (!frequency_axis_ || !variable) {
     file_.fail(fmt::format("{}: expected a dimension and a variable frequency, got none", density_.name),
-               "give a spectra file of WAVEWATCH III (ww3_ounp) or SWAN");
+               "give a file of spectra by WAVEWATCH III (ww3_ounp), SWAN or wavespectra");
   }
   const std::string unit_text = unit_of(*variable);
   const std::optional<double> unit_hz = parse_frequency_unit(unit_text);
@@ -147,7 +147,7 @@ std::vector<double> SpectraFile::need_frequencies() const {
   if (frequencies_hz.size() != density_.lengths[*frequency_axis_]) {
     file_.fail(fmt::format("{}: expected {} values, got {}", variable->name,
                            density_.lengths[*frequency_axis_], frequencies_hz.size()),
-               "frequency must be the coordinate of the density's dimension");
+               "give the variable of frequencies the dimension of the density");
   }
   check_frequencies(frequencies_hz, fmt::format("{}: {}", file_.name(), variable->name));
   return frequencies_hz;
@@ -186,7 +186,7 @@ std::optional<DirectionGrid> SpectraFile::directions() const {
   if (angles_rad.size() != density_.lengths[*direction_axis_]) {
     file_.fail(fmt::format("{}: expected {} values, got {}", variable->name,
                            density_.lengths[*direction_axis_], angles_rad.size()),
-               "direction must be the coordinate of the density's dimension");
+               "give the variable of directions the dimension of the density");
   }
   return DirectionGrid(std::move(angles_rad), fmt::format("{}: {}", file_.name(), variable->name));
 }
@@ -325,7 +325,7 @@ std::vector<WaveSpectrum> SpectraFile::read_all() {
   }
   if (spectra.empty()) {
     file_.fail(fmt::format("{}: expected at least one spectrum with data, got none", density_.name),
-               "every density is missing; choose times and points at sea");
+               "choose times and points at sea: every density is missing here");
   }
   return spectra;
 }

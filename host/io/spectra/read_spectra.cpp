@@ -141,8 +141,8 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
                           file.bytes.empty() ? "an empty file" : "a file of unknown format"),
-              "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
-              "wavespectra NetCDF, Datawell .spt, TRIAXYS, Octopus, Spotter CSV or JSON");
+              "give NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
+              "wavespectra NetCDF, Datawell .spt, TRIAXYS, Octopus, or Spotter CSV or JSON");
 }
 
 }  // namespace

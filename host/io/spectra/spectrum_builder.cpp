@@ -33,7 +33,7 @@ double wrapped(double angle_rad) {
 void check_frequencies(std::span<const double> frequencies_hz, std::string_view where) {
   const auto fail = [&](const std::string& what) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}", where, what),
-                "frequencies must be in Hz, positive, each greater than the one before");
+                "give frequencies in Hz, above 0, each greater than the one before");
   };
   if (frequencies_hz.size() < 2)
     fail(fmt::format("expected two or more frequencies, got {}", frequencies_hz.size()));
@@ -51,14 +51,14 @@ void check_densities(std::span<const double> densities, std::string_view where) 
     if (value >= 0.0 && std::isfinite(value)) continue;
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a variance density >= 0, got {:g}", where, value),
-                "the spectrum is damaged; fetch or write the file again");
+                "the spectrum is damaged: get or write the file again");
   }
 }
 
 DirectionGrid::DirectionGrid(std::vector<double> directions_rad, std::string_view where) {
   const auto fail = [&](const std::string& what) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}", where, what),
-                "a directional spectrum needs directions that cover the circle or a part of it, none twice");
+                "give directions that cover the circle or a part of it, none twice");
   };
   if (directions_rad.size() > 2 &&
       std::abs(std::abs(directions_rad.back() - directions_rad.front()) - turn_rad) < printed_error_rad) {

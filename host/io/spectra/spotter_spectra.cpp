@@ -160,7 +160,7 @@ class CsvColumns {
     const std::vector<std::string_view> cells = cells_of(cursor.line());
     if (cells.size() < count_) {
       cursor.fail(fmt::format("{} columns", count_), std::to_string(cells.size()),
-                  "the line is cut short or has been edited");
+                  "the line is cut short or was edited: get the file again");
     }
     Record record;
     record.time_utc = time_of(cursor, number(cursor, cells[*time_]));

@@ -279,20 +279,20 @@ std::string parse_time(TextCursor& cursor, int coding) {
     if (const auto iso = iso_time(time)) return *iso;
   }
   cursor.fail(fmt::format("a time of the form {}", form), fmt::format("\"{}\"", printable(text)),
-              "the record before it may have too many or too few lines");
+              "check the lines of the record before it: there may be too many or too few");
 }
 
 // The next values of the cursor's line and those after it.
 std::vector<double> read_values(TextCursor& cursor, std::size_t count) {
   if (count > cursor.text_size()) {
     cursor.fail("as many values as the header says", fmt::format("a file too short for {}", count),
-                "the header is damaged or the file is cut short");
+                "the header is damaged or the file is cut short: write it again");
   }
   std::vector<double> values(count);
   for (double& value : values) value = cursor.need_number("a value of the spectrum");
   if (!is_blank(cursor.rest())) {
     cursor.fail("the end of the record", fmt::format("\"{}\"", printable(cursor.rest())),
-                "the record has more values than the header says");
+                "the record has more values than the header says: write the file again");
   }
   return values;
 }
@@ -377,7 +377,7 @@ std::optional<WaveSpectrum> parse_record(TextCursor& cursor, const SwanHeader& h
   if (keyword != (header.directions ? "FACTOR" : "LOCATION")) {
     cursor.fail(header.directions ? "FACTOR, ZERO or NODATA" : "LOCATION, ZERO or NODATA",
                 fmt::format("\"{}\"", printable(cursor.line())),
-                "the record before it may have too many or too few lines");
+                "check the lines of the record before it: there may be too many or too few");
   }
   if (header.directions) {
     read_2d(cursor, header, spectrum);
@@ -405,7 +405,8 @@ std::vector<WaveSpectrum> parse_swan(std::string_view text, std::string_view fil
       values +=
           spectrum->frequencies_hz.size() * 2 + spectrum->spreading.size() + spectrum->directions_rad.size();
       if (values > budget) {
-        cursor.fail("as many spectra as the file's size can hold", "more", "the header is damaged");
+        cursor.fail("as many spectra as the file's size can hold", "more",
+                    "the header is damaged: write the file again");
       }
       spectra.push_back(std::move(*spectrum));
     }
@@ -426,7 +427,7 @@ std::vector<WaveSpectrum> parse_swan(std::string_view text, std::string_view fil
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: expected at least one location with data, got none", printable_name(file_name)),
-        "every location is marked NODATA; choose points at sea");
+        "choose points at sea: every location is marked NODATA");
   }
   return spectra;
 }

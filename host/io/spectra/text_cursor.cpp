@@ -11,7 +11,7 @@
 namespace offing::spectra {
 namespace {
 
-constexpr std::string_view truncated_hint = "the file seems cut short; fetch or write it again";
+constexpr std::string_view truncated_hint = "the file seems cut short: get or write it again";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -151,7 +151,7 @@ double TextCursor::need_number(std::string_view expected) {
   const std::optional<double> number = take_number(rest_);
   if (!number) {
     std::string_view rest = rest_;
-    fail(expected, fmt::format("\"{}\"", printable(take_word(rest))), "the value must be a finite number");
+    fail(expected, fmt::format("\"{}\"", printable(take_word(rest))), "write a finite number");
   }
   return *number;
 }

@@ -55,7 +55,7 @@ std::string parse_triaxys_date(TextCursor& cursor, std::string_view value) {
   const UtcTime time{fields[0], fields[1], fields[2], fields[3], fields[4], fields[5]};
   if (!is_sound || count < 5 || !is_valid(time)) {
     cursor.fail("a date such as 2018-01-31 21:00(UTC)", fmt::format("\"{}\"", printable(value)),
-                "there is no such day or hour, or the line has been edited");
+                "correct the line: there is no such day or hour");
   }
   return iso_time(time).value_or("");
 }
@@ -215,7 +215,7 @@ std::vector<WaveSpectrum> parse_triaxys(std::string_view text, std::string_view 
   if (cursor.next_filled_line()) {
     cursor.fail(fmt::format("the end of the file after {} frequencies", header.frequency_count),
                 fmt::format("\"{}\"", printable(cursor.line())),
-                "NUMBER OF FREQUENCIES is wrong, or files have been joined: give one at a time");
+                "correct NUMBER OF FREQUENCIES, or give one file at a time if files were joined");
   }
   return {std::move(spectrum)};
 }

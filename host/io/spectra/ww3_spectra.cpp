@@ -63,7 +63,7 @@ Grid parse_grid(TextCursor& cursor) {
   const std::size_t points = cursor.need_count("the number of points");
   if (static_cast<double>(nf) * static_cast<double>(nd) > static_cast<double>(cursor.text_size()) / 2.0) {
     cursor.fail("counts that fit the size of the file", fmt::format("{} x {} densities", nf, nd),
-                "the header is damaged or the file is cut short");
+                "the header is damaged or the file is cut short: write it again");
   }
   need_quoted(cursor, "the name of the grid in quotes");
   std::vector<double> frequencies_hz(nf);
@@ -90,7 +90,7 @@ std::string parse_time(TextCursor& cursor) {
     if (const auto text = iso_time(time)) return time.year == 1 ? std::string() : *text;
   }
   cursor.fail("a date and time such as 20220912 060000", fmt::format("{:.0f} {:.0f}", date, clock),
-              "there is no such day or hour, or the record before it has too many values");
+              "correct the date, or the number of values in the record before it");
 }
 
 WaveSpectrum parse_point(TextCursor& cursor, const Grid& grid) {
@@ -137,7 +137,7 @@ std::vector<WaveSpectrum> parse_ww3(std::string_view text, std::string_view file
     }
     if (!is_blank(cursor.rest())) {
       cursor.fail("a new line after the last density", fmt::format("\"{}\"", printable(cursor.rest())),
-                  "the record has more values than the header says");
+                  "the record has more values than the header says: write the file again");
     }
   } while (cursor.next_filled_line());
   return spectra;

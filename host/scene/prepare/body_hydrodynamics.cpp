@@ -22,7 +22,7 @@ HydrodynamicData fitted_to(hydrodynamics::HydrodynamicFile file, const bodies::F
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a gravity of {:g} m/s2, got {:g}", one_line(data.source),
                             water.gravity_mps2, data.gravity_mps2),
-                "compute the data base with the gravity of the scene");
+                "compute the data with the gravity of the scene");
   }
   // All forces of linear theory are in proportion to the density.
   const double share = water.density_kgpm3 / data.density_kgpm3;
@@ -62,8 +62,8 @@ std::shared_ptr<const HydrodynamicData> read_body_hydrodynamics(const Scene& sce
   const BodyScene& row = scene.bodies[index];
   if (row.hydrodynamics.empty()) return {};
   const bodies::BodyWaterParameters water;
-  return read_named(scene, {"body.hydrodynamics", {index, 0}}, "a hydrodynamic data base", row.hydrodynamics,
-                    [&] {
+  return read_named(scene, {"body.hydrodynamics", {index, 0}}, "a file of hydrodynamic data",
+                    row.hydrodynamics, [&] {
                       return std::make_shared<const HydrodynamicData>(
                           fitted_to(read_hydrodynamics(row.hydrodynamics,
                                                        {.density_kgpm3 = water.density_kgpm3,

@@ -276,7 +276,7 @@ TEST(ReadHydrodynamicsTest, OtherFilesAreNamed) {
     return folder.path() / name;
   };
   expect_error([&] { read_hydrodynamics(write("empty.nc", "")); },
-               "empty.nc: expected a hydrodynamic data base, got an empty file");
+               "empty.nc: expected a file of hydrodynamic data, got an empty file");
   expect_error([&] { read_hydrodynamics(write("a.txt", "hello")); }, "a file of unknown format");
   expect_error([&] { read_hydrodynamics(write("alone.1", "5 1 1 2 2\n")); }, "alone.3");
   expect_error([&] { read_hydrodynamics(folder.path() / "none.nc"); }, "none.nc");
