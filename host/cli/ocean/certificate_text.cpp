@@ -126,9 +126,8 @@ std::string certificate_text(const scene::Certificate& c, const scene::Sea& sea,
       "mean over the seeds. sigma: (measured - resolved) / standard error.\n"
       "peak period: where the energy density E(f) is largest. Tp of E^4: integral of E^4 over that of f "
       "E^4.\n"
-      "peak direction: of the waves at the peak period. spread: sqrt(2 (1 - r)), r the mean direction "
-      "vector's\n"
-      "length, a standard deviation.\n"
+      "peak direction: of the waves at the peak period. spread: standard deviation of directions.\n"
+      "mss: mean square slope. foam cover: share of the sea.\n"
       "Waves are linear: before the horizontal displacement the elevation is Gaussian, with no skewness.\n"
       "The horizontal displacement alone sharpens crests.\n");
   return fmt::to_string(text);
