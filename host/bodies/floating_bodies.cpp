@@ -29,9 +29,13 @@ BodyWater device_water(const BodyWaterParameters& water) {
   require_within("bodies.density_kgpm3", water.density_kgpm3, 1.0, 1e5);
   require_within("bodies.gravity_mps2", water.gravity_mps2, 0.01, 100.0);
   require_within("bodies.viscosity_m2ps", water.viscosity_m2ps, 1e-9, 1.0);
+  require_within("bodies.air_density_kgpm3", water.air_density_kgpm3, 0.0, 100.0);
   return {.density_kgpm3 = static_cast<float>(water.density_kgpm3),
           .gravity_mps2 = static_cast<float>(water.gravity_mps2),
           .viscosity_m2ps = static_cast<float>(water.viscosity_m2ps),
+          .air_density_kgpm3 = static_cast<float>(water.air_density_kgpm3),
+          .wind_x_mps = static_cast<float>(water.wind_mps.x),
+          .wind_z_mps = static_cast<float>(water.wind_mps.y),
           .step_s = static_cast<float>(1.0 / FloatingBodies::steps_per_s),
           .steps = FloatingBodies::steps_a_question,
           .first_step = 0};
@@ -83,7 +87,27 @@ BodyShape device_shape(const FloatingBody& body) {
           .steps_a_sample = 1,
           .first_velocity_float = 0,
           .first_wave_float = 0,
-          .wave_step_radps = 1.0f};
+          .wave_step_radps = 1.0f,
+          .windage = f(body.drag.windage),
+          .first_mooring = 0,
+          .moorings = static_cast<int>(body.moorings.size())};
+}
+
+BodyMooring device_mooring(const MooringLine& line, const glm::dvec3& mass_centre_m) {
+  const glm::dvec3 place_m = line.hull_m - mass_centre_m;
+  const double tile_x = std::nearbyint(line.anchor_m.x / query_tile_m);
+  const double tile_z = std::nearbyint(line.anchor_m.z / query_tile_m);
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {.x_m = f(place_m.x),
+          .y_m = f(place_m.y),
+          .z_m = f(place_m.z),
+          .anchor_tile_x = static_cast<int>(tile_x),
+          .anchor_tile_z = static_cast<int>(tile_z),
+          .anchor_x_m = f(line.anchor_m.x - tile_x * query_tile_m),
+          .anchor_y_m = f(line.anchor_m.y),
+          .anchor_z_m = f(line.anchor_m.z - tile_z * query_tile_m),
+          .length_m = f(line.length_m),
+          .stiffness_npm = f(line.stiffness_npm)};
 }
 
 void set_lift(const HullLift& lift, BodyShape& shape) {
@@ -115,6 +139,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   for (const FloatingBody& body : bodies_) require_valid(body);
 
   std::vector<float> hull, memories, wave_tables;
+  std::vector<BodyMooring> moorings;
   std::size_t velocities = 0;
   std::vector<std::uint32_t> owners, faces;
   for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
@@ -133,6 +158,9 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
     for (const TriangleIndices& face : body.hull.faces) {
       for (const std::uint32_t corner : face) faces.push_back(first + corner);
     }
+    shape.first_mooring = static_cast<int>(moorings.size());
+    for (const MooringLine& line : body.moorings)
+      moorings.push_back(device_mooring(line, body.mass_centre_m));
     HullMatrix added_mass{};
     if (body.hydrodynamics) {
       const HullMemory made =
@@ -157,6 +185,8 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   shapes_ = ocl::Buffer<BodyShape>(device, host_shapes_, "bodies");
   hull_ = ocl::Buffer<float>(device, hull, "hull vertices");
   // Devices have no buffers without elements.
+  moorings.resize(std::max<std::size_t>(moorings.size(), 1));
+  moorings_ = ocl::Buffer<BodyMooring>(device, moorings, "moorings of bodies");
   memories.resize(std::max<std::size_t>(memories.size(), 1));
   memory_ = ocl::Buffer<float>(device, memories, "memories of hulls");
   velocities_ = ocl::Buffer<float>(device, std::max<std::size_t>(velocities, 1), "velocities of hulls");
@@ -239,6 +269,11 @@ bool FloatingBodies::feels_waves() const {
                      [](const FloatingBody& body) { return body.hydrodynamics != nullptr; });
 }
 
+void FloatingBodies::set_wind(const glm::dvec2& wind_mps) {
+  water_.wind_x_mps = static_cast<float>(wind_mps.x);
+  water_.wind_z_mps = static_cast<float>(wind_mps.y);
+}
+
 void FloatingBodies::set_waves(const ModalSea& sea) {
   modes_ = leading_modes(sea);
   upload_waves();
@@ -310,7 +345,8 @@ void FloatingBodies::ask_and_step(const WaterSurface& water, const Drive& drive)
   BodyWater water_now = water_;
   water_now.first_step = static_cast<int>(steps());
   advance_kernel_.launch({{size() * group_}, {group_}}, shapes_, drives_, now_, hull_, faces_, points_,
-                         samples_, memory_, excitation_, water_now, velocities_, path_, before_, reports_);
+                         samples_, moorings_, memory_, excitation_, water_now, velocities_, path_, before_,
+                         reports_);
   std::swap(now_, before_);
   ++questions_;
 }

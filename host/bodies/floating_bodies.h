@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "host/base/sea/modal_sea.h"
 #include "host/bodies/floating_body.h"
 #include "host/ocl/buffer.h"
@@ -22,6 +24,8 @@ struct BodyWaterParameters {
   double density_kgpm3 = 1025.0;
   double gravity_mps2 = 9.81;
   double viscosity_m2ps = 1.19e-6;  ///< kinematic, of sea water at 15 degrees
+  double air_density_kgpm3 = 1.225;
+  glm::dvec2 wind_mps{0.0};  ///< of the air 10 m above it, along x and z
 };
 
 /// Rigid bodies that float by the pressure on the submerged parts of their faces (O14's bodies): hydrostatic
@@ -63,6 +67,9 @@ class FloatingBodies {
   /// of the data in them, those that lead (leading_modes()). None at first.
   void set_waves(const ModalSea& sea);
 
+  /// The wind from now on, as BodyWaterParameters has it.
+  void set_wind(const glm::dvec2& wind_mps);
+
   /// Puts all bodies to their starts at this time.
   void reset(double time_s);
   /// Enqueues the sub-steps up to this time. Throws Error(bad_usage) for a time before the last reset or
@@ -85,7 +92,9 @@ class FloatingBodies {
   /// Poses of the last advance_to() whose states have been fetched by now, at that one's time: those before
   /// the last advance_to(), so that no one waits for the device. The starts after a reset().
   const std::vector<BodyPose>& late_poses() const { return late_poses_; }
-  /// What the water did in the last sub-step; waits.
+  /// What acted on bodies in the last sub-step, on the device, [bodies].
+  const ocl::Buffer<BodyReport>& reports() const { return reports_; }
+  /// The same; waits.
   std::vector<BodyReport> read_reports() const { return reports_.read(); }
 
   /// A mesh point of a body in the world.
@@ -128,6 +137,7 @@ class FloatingBodies {
   ocl::Buffer<BodyShape> shapes_;
   ocl::Buffer<float> hull_;
   ocl::Buffer<float> memory_, velocities_;  // added mass and retardation; velocities that bodies have had
+  ocl::Buffer<BodyMooring> moorings_;
   ocl::Buffer<float> wave_tables_, excitation_;  // what waves do to hulls; to bodies, after a question
   ocl::Buffer<BodyWave> waves_;
   ocl::Buffer<std::uint32_t> owners_, faces_;

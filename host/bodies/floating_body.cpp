@@ -79,13 +79,22 @@ void require_valid(const FloatingBody& body) {
                                     {"drag.waves", body.drag.waves},
                                     {"drag.added_along", body.drag.added_along},
                                     {"drag.added_up", body.drag.added_up},
-                                    {"drag.added_inertia", body.drag.added_inertia}}) {
+                                    {"drag.added_inertia", body.drag.added_inertia},
+                                    {"drag.windage", body.drag.windage}}) {
     check(what, value, 0.0, 100.0);
   }
   check("drive.propeller_diameter_m", body.drive.propeller_diameter_m, smallest_propeller_m,
         largest_propeller_m);
   check("drive.rudder_area_m2", body.drive.rudder_area_m2, 0.0, largest_rudder_m2);
   check("drive.rudder_lift", body.drive.rudder_lift, 0.0, 2.0 * 3.15);
+  for (const MooringLine& line : body.moorings) {
+    for (int axis = 0; axis < 3; ++axis) {
+      check("mooring.hull_m", line.hull_m[axis], -1e6, 1e6);
+      check("mooring.anchor_m", line.anchor_m[axis], -1e9, 1e9);
+    }
+    check("mooring.length_m", line.length_m, 0.0, 1e9);
+    check("mooring.stiffness_npm", line.stiffness_npm, 0.0, 1e15);
+  }
   if (!is_positive_definite(body.inertia_kgm2)) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: expected moments of inertia above 0", body.name),
                 "give those of a body that has a volume");

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -22,6 +23,17 @@ struct HullDrag {
   double added_along = 0.1, added_up = 0.8;
   /// And of its moments of inertia.
   double added_inertia = 0.5;
+  /// Share of the force of wind on dry faces: above 1 for what stands on the hull and is not in its mesh.
+  double windage = 1.0;
+};
+
+/// A line from a place on the hull to an anchor. It pulls by stiffness * (distance - length) where it is
+/// longer than at rest, else it is slack. It weighs nothing.
+struct MooringLine {
+  glm::dvec3 hull_m{0.0};    ///< in the mesh's own axes
+  glm::dvec3 anchor_m{0.0};  ///< in the world
+  double length_m = 0.0;     ///< at rest
+  double stiffness_npm = 0.0;
 };
 
 /// A propeller and the rudder behind it, in the mesh's own axes.
@@ -47,6 +59,7 @@ struct FloatingBody {
   /// Added mass and the damping by the waves made. With them, the estimates of `drag` for both (waves,
   /// added_*) do not count; without, those do. built_in_data() makes them.
   std::shared_ptr<const HydrodynamicData> hydrodynamics = {};
+  std::vector<MooringLine> moorings = {};
   BodyPose start = {};
 };
 

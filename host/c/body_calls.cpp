@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include "host/bodies/body_forces.h"
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
 
@@ -30,15 +33,21 @@ void write_pose(const OffingBodyPoses& poses, std::size_t index, const offing::b
 }
 
 void write_report(const OffingBodyForces& forces, std::size_t index, const BodyReport& report) {
-  write_values(forces.pressure_n, index, {report.pressure_x_n, report.pressure_y_n, report.pressure_z_n});
-  write_values(forces.pressure_moment_nm, index,
-               {report.pressure_moment_x_nm, report.pressure_moment_y_nm, report.pressure_moment_z_nm});
-  write_values(forces.drag_n, index, {report.drag_x_n, report.drag_y_n, report.drag_z_n});
-  write_values(forces.drag_moment_nm, index,
-               {report.drag_moment_x_nm, report.drag_moment_y_nm, report.drag_moment_z_nm});
+  using offing::bodies::force_of;
+  using offing::bodies::moment_of;
+  write_vector(forces.pressure_n, index, force_of(report, BODY_PRESSURE));
+  write_vector(forces.pressure_moment_nm, index, moment_of(report, BODY_PRESSURE));
+  write_vector(forces.drag_n, index, force_of(report, BODY_DRAG));
+  write_vector(forces.drag_moment_nm, index, moment_of(report, BODY_DRAG));
   write_values(forces.displaced_m3, index, {report.displaced_m3});
   write_values(forces.wetted_m2, index, {report.wetted_m2});
+  if (forces.forces != nullptr) {
+    std::copy(std::begin(report.forces), std::end(report.forces),
+              forces.forces + index * std::size(report.forces));
+  }
 }
+
+static_assert(static_cast<int>(OFFING_FORCE_KINDS) == static_cast<int>(BODY_FORCE_KINDS));
 
 }  // namespace
 
@@ -48,6 +57,12 @@ size_t offing_body_count(const OffingWorld* world) {
 
 const char* offing_body_name(const OffingWorld* world, size_t body) {
   return body < offing_body_count(world) ? world->scene.bodies[body].name.c_str() : "";
+}
+
+const char* offing_body_force_name(int kind) {
+  return kind >= 0 && kind < BODY_FORCE_KINDS
+             ? offing::bodies::force_kinds[static_cast<std::size_t>(kind)].name
+             : "";
 }
 
 OffingStatus offing_read_body_poses(OffingWorld* world, size_t count, const OffingBodyPoses* poses) {

@@ -530,6 +530,22 @@ typedef struct OffingBodyPoses {
  * frames that you asked for before. */
 OffingStatus offing_read_body_poses(OffingWorld* world, size_t count, const OffingBodyPoses* poses);
 
+/** Kinds of forces on bodies. */
+typedef enum OffingForceKind {
+  OFFING_FORCE_PRESSURE = 0,   /**< pressure of the water below its moving surface */
+  OFFING_FORCE_DRAG = 1,       /**< friction and drag of the water, and lift of a hull that runs ahead */
+  OFFING_FORCE_RADIATION = 2,  /**< waves that the hull has made */
+  OFFING_FORCE_EXCITATION = 3, /**< waves, besides the pressure below their surface */
+  OFFING_FORCE_PROPELLER = 4,
+  OFFING_FORCE_RUDDER = 5,
+  OFFING_FORCE_GRAVITY = 6,
+  OFFING_FORCE_WIND = 7,    /**< wind on the dry part of the hull */
+  OFFING_FORCE_MOORING = 8, /**< mooring lines */
+  OFFING_FORCE_KINDS = 9
+} OffingForceKind;
+/** "pressure", "drag" and so on; "" for other numbers. */
+const char* offing_body_force_name(int kind);
+
 /** Where offing_read_body_forces() writes. Forces and moments are in world axes, moments about the mass
  * centre. They leave out the excitation and radiation of the hull's hydrodynamic data. */
 typedef struct OffingBodyForces {
@@ -541,8 +557,10 @@ typedef struct OffingBodyForces {
   float* drag_moment_nm;     /**< [count][3] */
   float* displaced_m3;       /**< [count], volume of displaced water */
   float* wetted_m2;          /**< [count], wetted area of the hull */
+  float*
+      forces; /**< [count][OFFING_FORCE_KINDS][6], of each kind: force x, y, z N, moment x, y, z N m */
 } OffingBodyForces;
-/** Reads the forces of the water on all bodies in the last simulated sub-step. Bodies are simulated ahead of
+/** Reads the forces on all bodies in the last simulated sub-step. Bodies are simulated ahead of
  * frames: `time_s` is up to 0.14 s after the latest frame so far. `count` must be offing_body_count(). */
 OffingStatus offing_read_body_forces(OffingWorld* world, size_t count, const OffingBodyForces* forces);
 

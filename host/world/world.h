@@ -167,6 +167,10 @@ class World {
 
   /// nullptr in a world without bodies.
   const WorldBodies* bodies() const { return bodies_.get(); }
+  /// From the next at() on, forces on the bodies of all times are kept, for bodies()->forces().
+  void keep_forces_on_bodies() {
+    if (bodies_) bodies_->keep_forces(true);
+  }
   /// nullptr in a world without wakes.
   const WorldWakes* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
   bool has_sea() const { return ocean_.has_value(); }
@@ -203,7 +207,7 @@ class World {
   /// To the samples that are wanted.
   void fit_sea(const WorldParameters& parameters);
   void make_shoals();
-  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, shoals_}; }
+  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_}; }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
   std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;

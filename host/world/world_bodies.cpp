@@ -66,6 +66,11 @@ ocean::OceanParameters long_waves_of(const ocean::OceanParameters& whole, double
   return kept;
 }
 
+glm::dvec2 velocity_of(const ocean::Wind& wind) {
+  return wind.wind_speed_mps *
+         glm::dvec2(std::cos(wind.wind_direction_rad), std::sin(wind.wind_direction_rad));
+}
+
 std::vector<bodies::FloatingBody> bodies_of(const std::vector<BodySettings>& settings, double gravity_mps2) {
   std::vector<bodies::FloatingBody> bodies;
   for (const BodySettings& each : settings) {
@@ -104,11 +109,14 @@ void BodyPath::begin(double time_s, double step_s, const std::vector<bodies::Bod
   step_s_ = step_s;
 }
 
-void BodyPath::add(const ocl::Buffer<BodyState>& states) {
+void BodyPath::add(const ocl::Buffer<BodyState>& states, const ocl::Buffer<BodyReport>* reports) {
   if (rows_.size() >= fetched_ + most_ahead) fetched_row(fetched_);
   Row& row = rows_.emplace_back();
   row.states.resize(states.size());
   row.fetched = states.begin_read(row.states.data());
+  if (reports == nullptr) return;
+  row.reports.resize(reports->size());
+  row.fetched = reports->begin_read(row.reports.data());
 }
 
 const BodyPath::Row& BodyPath::fetched_row(std::size_t row) const {
@@ -120,13 +128,33 @@ const BodyPath::Row& BodyPath::fetched_row(std::size_t row) const {
   return rows_[row];
 }
 
-bodies::BodyPose BodyPath::at(std::size_t body, double time_s) const {
+std::pair<std::size_t, double> BodyPath::place_of(double time_s) const {
   const double place = std::clamp((time_s - begin_s_) / step_s_, 0.0, static_cast<double>(rows_.size() - 1));
-  const auto before = static_cast<std::size_t>(place);
-  const double share = place - static_cast<double>(before);
+  const auto row = static_cast<std::size_t>(place);
+  return {row, place - static_cast<double>(row)};
+}
+
+bodies::BodyPose BodyPath::at(std::size_t body, double time_s) const {
+  const auto [before, share] = place_of(time_s);
   const bodies::BodyPose from = bodies::pose_of(fetched_row(before).states[body]);
   if (share == 0.0) return from;
   return bodies::pose_between(from, bodies::pose_of(fetched_row(before + 1).states[body]), share);
+}
+
+BodyReport BodyPath::report(std::size_t body, double time_s) const {
+  const auto [before, share] = place_of(time_s);
+  const auto of_row = [&](std::size_t row) {
+    const std::vector<BodyReport>& reports = fetched_row(row).reports;
+    return reports.empty() ? BodyReport{} : reports[body];
+  };
+  BodyReport report = of_row(before);
+  if (share == 0.0) return report;
+  const BodyReport next = of_row(before + 1);
+  const auto mix = [part = static_cast<float>(share)](float& from, float to) { from += part * (to - from); };
+  mix(report.displaced_m3, next.displaced_m3);
+  mix(report.wetted_m2, next.wetted_m2);
+  for (std::size_t i = 0; i < std::size(report.forces); ++i) mix(report.forces[i], next.forces[i]);
+  return report;
 }
 
 WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> settings, const BodySea& sea,
@@ -135,7 +163,7 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
       settings_(std::move(settings)),
       run_up_s_(whole_questions_s(run_up_s)),
       bodies_(device, bodies_of(settings_, sea.spectrum.dispersion.gravity_mps2),
-              {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2}),
+              {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2, .wind_mps = velocity_of(sea.wind)}),
       sea_(device, sea.spectrum, long_waves_of(sea.ocean, shortest_hull_m(settings_))),
       query_(query_of(settings_)),
       path_(std::make_shared<BodyPath>()) {
@@ -150,6 +178,7 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
 
 void WorldBodies::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
+  bodies_.set_wind(velocity_of(sea.wind));
   set_shoals(sea.shoals);
   tell_waves();
 }
@@ -224,7 +253,7 @@ void WorldBodies::reach(double time_s) {
                         "choose an earlier time, a smaller ocean.size, or fewer bodies");
   while (path_->end_s() < time_s + ahead_s) {
     bodies_.advance_to(bodies_.stepped_to_s() + question_s, water, drive);
-    path_->add(bodies_.latest());
+    path_->add(bodies_.latest(), keeps_forces_ ? &bodies_.reports() : nullptr);
     estimate.step_done([this] { device_.finish(); });
   }
 }

@@ -13,6 +13,7 @@
 #include "host/bodies/hull_press.h"
 #include "host/highlights/search/lighting.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/spectrum/wind.h"
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocl/buffer.h"
@@ -32,21 +33,26 @@ class BodyPath {
 
   /// Begins anew with these poses, further ones being `step_s` apart.
   void begin(double time_s, double step_s, const std::vector<bodies::BodyPose>& starts);
-  /// Begins to fetch the states of the next step, [bodies].
-  void add(const ocl::Buffer<BodyState>& states);
+  /// Begins to fetch the states of the next step, [bodies], and if they are given the reports on it.
+  void add(const ocl::Buffer<BodyState>& states, const ocl::Buffer<BodyReport>* reports = nullptr);
 
   double begin_s() const { return begin_s_; }
   double end_s() const { return begin_s_ + step_s_ * static_cast<double>(rows_.size() - 1); }
   /// Waits for the device where it has not come so far; the first pose before the start, the last one after
   /// the end.
   bodies::BodyPose at(std::size_t body, double time_s) const;
+  /// The same of reports; 0 where none were given.
+  BodyReport report(std::size_t body, double time_s) const;
 
  private:
   struct Row {
     std::vector<BodyState> states;
+    std::vector<BodyReport> reports;
     ocl::Event fetched;
   };
   const Row& fetched_row(std::size_t row) const;
+  /// A row's number, and the share of the way to the next one.
+  std::pair<std::size_t, double> place_of(double time_s) const;
 
   double begin_s_ = 0.0, step_s_ = 1.0;
   std::deque<Row> rows_;  // the device writes into them: they stay where they are
@@ -69,6 +75,7 @@ struct BodySettings {
 struct BodySea {
   ocean::SeaSpectrum spectrum;
   ocean::OceanParameters ocean;
+  ocean::Wind wind = {};
   std::shared_ptr<const ocean::Shoals> shoals = {};
 };
 
@@ -90,6 +97,8 @@ class WorldBodies {
   /// The same for its shoals alone.
   void set_shoals(std::shared_ptr<const ocean::Shoals> shoals);
 
+  /// Whether forces of all times are kept, from the next reach() on: 6.7 kB a second of each body.
+  void keep_forces(bool keep) { keeps_forces_ = keep; }
   /// Simulates up to this time, and a little further; from the start of a world on where it is before that
   /// of these bodies. Throws Error(bad_input) for a leap of more than two hours.
   void reach(double time_s);
@@ -101,7 +110,10 @@ class WorldBodies {
   double begin_s() const { return path_->begin_s(); }
   /// At any time up to that of the last reach().
   bodies::BodyPose pose(std::size_t body, double time_s) const { return path_->at(body, time_s); }
-  /// What the water did to the bodies in the last sub-step that was simulated, [size()], which ended at
+  /// What acts on a body at any time up to that of the last reach(), between sub-steps 1/30 s apart; 0 where
+  /// forces were not kept.
+  BodyReport forces(std::size_t body, double time_s) const { return path_->report(body, time_s); }
+  /// What acted on the bodies in the last sub-step that was simulated, [size()], which ended at
   /// reported_s(): a little after the time of the last reach() that went further; waits.
   std::vector<BodyReport> read_reports() const { return bodies_.read_reports(); }
   double reported_s() const { return bodies_.stepped_to_s(); }
@@ -123,6 +135,7 @@ class WorldBodies {
 
   ocl::Device device_;
   std::vector<BodySettings> settings_;
+  bool keeps_forces_ = false;
   double run_up_s_, start_s_ = 0.0, draught_m_ = 0.0;
   bodies::FloatingBodies bodies_;
   std::vector<bodies::HullPresser> pressers_;

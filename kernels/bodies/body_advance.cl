@@ -2,6 +2,7 @@
 // In:  shapes [bodies], drives [bodies][steps], states [bodies] at the first sub-step, water, all of shared/bodies.h;
 //      vertices [vertices][3] m in body axes; faces [faces][3]: vertices, anticlockwise seen from outside;
 //      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl);
+//      moorings: lines of bodies, as BodyShape says;
 //      memory: added mass and retardation, as BodyShape says; excitation [bodies][BODY_MOTIONS]: of body_waves.cl.
 // Inout: velocities: those that bodies have had, [memory_samples][BODY_MOTIONS] of each, a ring.
 // Out: path [steps][bodies]: the states after each sub-step; ends [bodies]: those after the last one; reports [bodies] of
@@ -12,14 +13,15 @@
 //  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
 //  - (of the whole hull) a sway force and a yaw moment while it runs ahead, as those of a wing (Clarke et al. 1983);
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
+// Each dry part has the pressure of the wind on walls.
 // A body with a memory moves by Cummins' equation: (M + A) a + C(v) v + sum of K v' = force, in body axes, C being the
 // Coriolis terms of the mass and, in surge, sway and yaw, of added mass (Fossen 2011, sections 6.3 and 7.3), by Cayley's
 // step, which keeps energy. Those of added mass in pitch would lift the bow of a fast hull, with no free surface and no
 // water that parts from its stern to hold it. Added mass and
 // retardation fade from half its displacement on, so that they are not those of a body in the air. So does what waves do
 // to it besides the pressure below their surface.
-// Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are each weakened as an
-// implicit step would, so that neither turns a motion around. Speed and spin have bounds far above those of any hull
+// Semi-implicit Euler: velocities first, then places by the new ones. Drag, wind, the rudder's lift and lines are each
+// weakened as an implicit step would, so that none turns a motion around. Speed and spin have bounds far above those of any hull
 // (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
 #include "bodies/turn.clh"
 #include "shared/bodies.h"
@@ -29,6 +31,13 @@
 #define RUDDER_RACE_GROWTH 0.5f
 #define RUDDER_RACE_SHARE 0.63f
 #define RUDDER_STRAIGHTENED 0.65f
+
+// Of walls in wind, by the speed of the air across them (EN 1991-1-4, table 7.1, zones D and E of a cube).
+#define WIND_ON_FACE 0.8f
+#define WIND_BEHIND 0.5f
+// Wind grows as this power of height over waves (DNV-RP-C205, section 2.3), from a tenth of a metre on.
+#define WIND_GROWTH 0.12f
+#define WIND_FROM_M 0.1f
 
 // The part of a triangle that is under water, where depth is linear over the triangle: integrals in closed form.
 typedef struct {
@@ -92,7 +101,12 @@ typedef struct {
   float3 pressure, pressure_moment, drag, drag_moment;
   float wetted;
   float3 flow;  // velocity of the water, times the wetted area
+  float3 wind, wind_moment;
 } Wrench;
+
+typedef struct {
+  float3 force, moment;
+} Push;
 
 static float3 symmetric_product(float xx, float yy, float zz, float xy, float xz, float yz, float3 v) {
   return (float3)(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z);
@@ -122,7 +136,8 @@ static float depth_of(const BodyState* origin, float3 place, float3 arm, Surface
 }
 
 static void clear(Wrench* wrench) {
-  wrench->pressure = wrench->pressure_moment = wrench->drag = wrench->drag_moment = wrench->flow = (float3)(0.0f);
+  wrench->pressure = wrench->pressure_moment = wrench->drag = wrench->drag_moment = (float3)(0.0f);
+  wrench->flow = wrench->wind = wrench->wind_moment = (float3)(0.0f);
   wrench->wetted = 0.0f;
 }
 
@@ -137,16 +152,34 @@ static float form_drag(const BodyShape* shape, float across) {
   return 0.5f * (across > 0.0f ? shape->face_drag : shape->wake_drag) * fabs(across) * across;
 }
 
-// What the water does to a face, added to `sum`.
+// What the wind does to the part of a face that is dry, added to `sum`.
+static void add_wind(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float3 normal,
+                     const WettedPart* dry, Wrench* sum) {
+  const float3 middle = dry->area_moment / dry->area;
+  const float height = fmax(-dry->depth_area / dry->area, WIND_FROM_M);
+  const float3 wind = pow(height / 10.0f, WIND_GROWTH) * (float3)(water->wind_x_mps, 0.0f, water->wind_z_mps);
+  const float across = dot(velocity + cross(spin, middle) - wind, normal);
+  const float3 push = -0.5f * shape->windage * water->air_density_kgpm3 * dry->area *
+                      (across > 0.0f ? WIND_ON_FACE : WIND_BEHIND) * fabs(across) * across * normal;
+  sum->wind += push;
+  sum->wind_moment += cross(middle, push);
+}
+
+// What water and wind do to a face, added to `sum`.
 static void add_face(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float3 forward, float friction,
                      const float3* arm, const float* depth, float3 flow, Wrench* sum) {
   const float3 twice = cross(arm[1] - arm[0], arm[2] - arm[0]);
   const float area = 0.5f * length(twice);
   if (!(area > 0.0f)) return;
-  WettedPart part;
-  set_wetted_part(area, arm, depth, &part);
-  if (!(part.area > 0.0f)) return;
   const float3 normal = twice / (2.0f * area);
+  WettedPart part, dry;
+  set_wetted_part(area, arm, depth, &part);
+  set_whole_part(area, arm, depth, &dry);
+  dry.area -= part.area;
+  dry.area_moment -= part.area_moment;
+  dry.depth_area -= part.depth_area;
+  if (dry.area > 1e-5f * area) add_wind(shape, water, velocity, spin, normal, &dry, sum);
+  if (!(part.area > 0.0f)) return;
   const float weight = water->density_kgpm3 * water->gravity_mps2;
   sum->pressure -= weight * part.depth_area * normal;
   sum->pressure_moment -= weight * cross(part.depth_moment, normal);
@@ -198,15 +231,25 @@ static void add_lift(const BodyShape* shape, const BodyWater* water, const Motio
   sum->drag_moment += cross(arm, side) + turned(motion->turn, (float3)(0.0f, turning, 0.0f));
 }
 
+// Velocity that a push along a direction gives to a place on the body: 1 / kg.
+static float yielding(const BodyShape* shape, const Motion* motion, float3 place, float3 direction) {
+  const float3 lever = turned_back(motion->turn, cross(place, direction));
+  return 1.0f / shape->mass_kg + dot(lever, inverse_inertia_times(shape, lever));
+}
+
+static void set_push(float3 force, float3 place, Push* push) {
+  push->force = force;
+  push->moment = cross(place, force);
+}
+
 // Thrust and rudder, in world axes.
-static void add_drive(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const Motion* motion,
-                      float3 flow, float3 propeller, float propeller_depth, float3* force, float3* moment) {
+static void set_drive(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const Motion* motion,
+                      float3 flow, float3 propeller, float propeller_depth, Push* pushes) {
   const float3 forward = turned(motion->turn, (float3)(1.0f, 0.0f, 0.0f));
   const float3 starboard = turned(motion->turn, (float3)(0.0f, 0.0f, 1.0f));
   const float diameter = shape->propeller_diameter_m;
   const float thrust = drive->thrust_n * clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f);
-  *force += thrust * forward;
-  *moment += cross(propeller, thrust * forward);
+  set_push(thrust * forward, propeller, &pushes[BODY_PROPELLER]);
 
   const float3 rudder = turned(motion->turn, (float3)(shape->rudder_x_m, shape->rudder_y_m, shape->rudder_z_m));
   const float3 speed = motion->velocity + cross(turned(motion->turn, motion->spin), rudder) - flow;
@@ -219,17 +262,36 @@ static void add_drive(const BodyShape* shape, const BodyWater* water, const Body
   const float immersed = clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f);
   const float lift_by_speed =
       0.5f * water->density_kgpm3 * shape->rudder_area_m2 * shape->rudder_lift * along * immersed;
-  // What a push across the rudder moves there: 1 / kg.
   const float3 across = cos(drive->rudder_rad) * starboard + sin(drive->rudder_rad) * forward;
-  const float3 lever = turned_back(motion->turn, cross(rudder, across));
-  const float yielding = 1.0f / shape->mass_kg + dot(lever, inverse_inertia_times(shape, lever));
   // The hull straightens the flow to the rudder. Its force stands across the blade.
   const float ahead_sign = ahead + fast > 0.0f ? 1.0f : -1.0f;
   const float attack = ahead_sign * along * sin(drive->rudder_rad) +
                        RUDDER_STRAIGHTENED * dot(speed, starboard) * cos(drive->rudder_rad);
-  const float3 push = -lift_by_speed * attack / (1.0f + water->step_s * lift_by_speed * yielding) * across;
-  *force += push;
-  *moment += cross(rudder, push);
+  const float held = 1.0f + water->step_s * lift_by_speed * yielding(shape, motion, rudder, across);
+  set_push(-lift_by_speed * attack / held * across, rudder, &pushes[BODY_RUDDER]);
+}
+
+static void set_mooring(const BodyShape* shape, const BodyWater* water, __global const BodyMooring* moorings,
+                        const BodyState* origin, const Motion* motion, Push* sum) {
+  sum->force = sum->moment = (float3)(0.0f);
+  const float step = water->step_s;
+  for (int i = 0; i < shape->moorings; ++i) {
+    const BodyMooring line = moorings[shape->first_mooring + i];
+    const float3 arm = turned(motion->turn, (float3)(line.x_m, line.y_m, line.z_m));
+    const float3 anchor =
+        (float3)(SURFACE_QUERY_TILE_M * (float)(line.anchor_tile_x - origin->tile_x) + line.anchor_x_m, line.anchor_y_m,
+                 SURFACE_QUERY_TILE_M * (float)(line.anchor_tile_z - origin->tile_z) + line.anchor_z_m);
+    const float3 way = anchor - motion->place - arm;
+    const float distance = length(way), stretch = distance - line.length_m;
+    if (!(stretch > 0.0f)) continue;
+    const float3 toward = way / distance;
+    const float nearing = dot(motion->velocity + cross(turned(motion->turn, motion->spin), arm), toward);
+    // At the end of the step.
+    const float held = 1.0f + step * step * line.stiffness_npm * yielding(shape, motion, arm, toward);
+    const float tension = fmax(0.0f, line.stiffness_npm * (stretch - step * nearing) / held);
+    sum->force += tension * toward;
+    sum->moment += cross(arm, tension * toward);
+  }
 }
 
 static void follow_path(const BodyDrive* drive, const BodyState* origin, Motion* motion) {
@@ -384,28 +446,50 @@ static void set_part_of_past(const BodyShape* shape, __global const float* memor
   }
 }
 
+// Moves the body, and sets what moved it.
 static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
-                    const Wrench* wrench, float3 propeller, float propeller_depth, __global const float* memory,
-                    const Motions* past, const Motions* excitation, Motion* motion, Motions* radiation) {
+                    const Wrench* wrench, float3 propeller, float propeller_depth,
+                    __global const BodyMooring* moorings, __global const float* memory, const Motions* past,
+                    const Motions* excitation, Motion* motion, Push* pushes) {
   const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
   const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
   const float reach = 0.5f * shape->length_m;
-  const float pace = length(motion->velocity - flow) + reach * length(motion->spin) + 1e-6f;
+  const float turning_speed = reach * length(motion->spin) + 1e-6f;
   const float least_inertia = fmin(shape->inertia_xx, fmin(shape->inertia_yy, shape->inertia_zz));
-  const float slowing = water->step_s * length(wrench->drag) / (shape->mass_kg * pace);
-  const float turning = water->step_s * length(wrench->drag_moment) * reach / (least_inertia * pace);
 
-  float3 force = wrench->pressure + wrench->drag / (1.0f + slowing);
-  float3 moment = wrench->pressure_moment + wrench->drag_moment / (1.0f + turning);
-  add_drive(shape, water, drive, motion, flow, propeller, propeller_depth, &force, &moment);
-  force.y -= shape->mass_kg * water->gravity_mps2;
+  pushes[BODY_PRESSURE].force = wrench->pressure;
+  pushes[BODY_PRESSURE].moment = wrench->pressure_moment;
+  const float pace = length(motion->velocity - flow) + turning_speed;
+  pushes[BODY_DRAG].force =
+      wrench->drag / (1.0f + water->step_s * length(wrench->drag) / (shape->mass_kg * pace));
+  pushes[BODY_DRAG].moment =
+      wrench->drag_moment / (1.0f + water->step_s * length(wrench->drag_moment) * reach / (least_inertia * pace));
+  const float3 wind = (float3)(water->wind_x_mps, 0.0f, water->wind_z_mps);
+  const float gust = length(motion->velocity - wind) + turning_speed;
+  pushes[BODY_WIND].force =
+      wrench->wind / (1.0f + water->step_s * length(wrench->wind) / (shape->mass_kg * gust));
+  pushes[BODY_WIND].moment =
+      wrench->wind_moment / (1.0f + water->step_s * length(wrench->wind_moment) * reach / (least_inertia * gust));
+  set_drive(shape, water, drive, motion, flow, propeller, propeller_depth, pushes);
+  set_mooring(shape, water, moorings, origin, motion, &pushes[BODY_MOORING]);
+  set_push((float3)(0.0f, -shape->mass_kg * water->gravity_mps2, 0.0f), (float3)(0.0f), &pushes[BODY_GRAVITY]);
+  const bool has_memory = shape->memory_samples > 0;
+  pushes[BODY_EXCITATION].force = has_memory ? along_of(excitation) : (float3)(0.0f);
+  pushes[BODY_EXCITATION].moment = has_memory ? about_of(excitation) : (float3)(0.0f);
+  pushes[BODY_RADIATION].force = pushes[BODY_RADIATION].moment = (float3)(0.0f);
+  float3 force = (float3)(0.0f), moment = (float3)(0.0f);
+  for (int kind = 0; kind < BODY_FORCE_KINDS; ++kind) {
+    force += pushes[kind].force;
+    moment += pushes[kind].moment;
+  }
 
-  if (shape->memory_samples > 0) {
-    Motions next;
-    force += along_of(excitation);
-    moment += about_of(excitation);
-    move_by_memory(shape, water, memory, past, wetted_share(shape, water, wrench), force, moment, motion, &next, radiation);
+  if (has_memory) {
+    Motions next, radiation;
+    move_by_memory(shape, water, memory, past, wetted_share(shape, water, wrench), force, moment, motion, &next,
+                   &radiation);
+    pushes[BODY_RADIATION].force = turned(motion->turn, along_of(&radiation));
+    pushes[BODY_RADIATION].moment = turned(motion->turn, about_of(&radiation));
     motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, about_of(&next));
     const float4 turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
     motion->velocity = turned(turn, along_of(&next));
@@ -446,43 +530,22 @@ static void write_state(const BodyState* origin, const Motion* motion, float dis
   *written = state;
 }
 
-static void write_report(const BodyWater* water, const Wrench* sum, float3 radiation, float3 radiation_moment,
-                         const Motions* excitation, __global BodyReport* written) {
-  const BodyReport report = {sum->pressure.x,
-                             sum->pressure.y,
-                             sum->pressure.z,
-                             sum->pressure_moment.x,
-                             sum->pressure_moment.y,
-                             sum->pressure_moment.z,
-                             sum->drag.x,
-                             sum->drag.y,
-                             sum->drag.z,
-                             sum->drag_moment.x,
-                             sum->drag_moment.y,
-                             sum->drag_moment.z,
-                             displaced_by(water, sum),
-                             sum->wetted,
-                             radiation.x,
-                             radiation.y,
-                             radiation.z,
-                             radiation_moment.x,
-                             radiation_moment.y,
-                             radiation_moment.z,
-                             excitation->at[0],
-                             excitation->at[1],
-                             excitation->at[2],
-                             excitation->at[3],
-                             excitation->at[4],
-                             excitation->at[5]};
-  *written = report;
+static void write_report(const BodyWater* water, const Wrench* sum, const Push* pushes, __global BodyReport* written) {
+  written->displaced_m3 = displaced_by(water, sum);
+  written->wetted_m2 = sum->wetted;
+  for (int kind = 0; kind < BODY_FORCE_KINDS; ++kind) {
+    vstore3(pushes[kind].force, 2 * kind, written->forces);
+    vstore3(pushes[kind].moment, 2 * kind + 1, written->forces);
+  }
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     __global const BodyShape* restrict shapes, __global const BodyDrive* restrict drives,
     __global const BodyState* restrict states, __global const float* restrict vertices,
     __global const uint* restrict faces, __global const SurfaceQueryPoint* restrict points,
-    __global const SurfaceQuerySample* restrict samples, __global const float* restrict memory,
-    __global const float* restrict excitation, const BodyWater water, __global float* restrict velocities, __global BodyState* restrict path,
+    __global const SurfaceQuerySample* restrict samples, __global const BodyMooring* restrict moorings,
+    __global const float* restrict memory, __global const float* restrict excitation, const BodyWater water,
+    __global float* restrict velocities, __global BodyState* restrict path,
     __global BodyState* restrict ends, __global BodyReport* restrict reports) {
   __local Wrench sums[GROUP];
   __local Motions pasts[GROUP];
@@ -541,6 +604,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
         sums[lane].drag_moment += sums[lane + kept].drag_moment;
         sums[lane].wetted += sums[lane + kept].wetted;
         sums[lane].flow += sums[lane + kept].flow;
+        sums[lane].wind += sums[lane + kept].wind;
+        sums[lane].wind_moment += sums[lane + kept].wind_moment;
         for (int i = 0; i < BODY_MOTIONS; ++i) pasts[lane].at[i] += pasts[lane + kept].at[i];
       }
     }
@@ -548,8 +613,6 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       Wrench total = sums[0];
       add_lift(&shape, &water, &motion, &total);
       const Motions past = pasts[0];
-      Motions radiation;
-      set_motions((float3)(0.0f), (float3)(0.0f), &radiation);
       const BodyDrive drive = drives[body * water.steps + step];
       const float share = wetted_share(&shape, &water, &total) * (1.0f - drive.lost_wave_share);
       Motions waves;
@@ -558,15 +621,14 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
           depth_of(&origin, motion.place, propeller, points[shape.propeller_vertex], &sample, time_s);
-      const float4 turn = motion.turn;
-      advance(&shape, &water, &drive, &origin, &total, propeller, depth, memory + shape.first_memory_float, &past,
-              &waves, &motion, &radiation);
+      Push pushes[BODY_FORCE_KINDS];
+      advance(&shape, &water, &drive, &origin, &total, propeller, depth, moorings, memory + shape.first_memory_float,
+              &past, &waves, &motion, pushes);
       now = motion;
       write_state(&origin, &motion, displaced_by(&water, &total), &path[step * bodies + body]);
       if (step == water.steps - 1) {
         write_state(&origin, &motion, displaced_by(&water, &total), &ends[body]);
-        write_report(&water, &total, turned(turn, along_of(&radiation)), turned(turn, about_of(&radiation)),
-                     &waves, &reports[body]);
+        write_report(&water, &total, pushes, &reports[body]);
       }
     }
   }

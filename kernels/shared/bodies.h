@@ -11,6 +11,20 @@
 #define BODY_LARGEST_SPEED_MPS 1500.0f
 #define BODY_LARGEST_SPIN_RADPS 60.0f
 
+// Kinds of forces on a body.
+typedef enum {
+  BODY_PRESSURE,    // of still water below the surface of the moment
+  BODY_DRAG,        // of the water: friction, drag across faces, lift of a hull that runs ahead
+  BODY_RADIATION,   // of the waves that it has made; without the water that it accelerates
+  BODY_EXCITATION,  // of waves, besides BODY_PRESSURE: what pressures lose with depth, and what it scatters
+  BODY_PROPELLER,
+  BODY_RUDDER,
+  BODY_GRAVITY,
+  BODY_WIND,     // on what is dry
+  BODY_MOORING,  // of its lines
+  BODY_FORCE_KINDS
+} BodyForce;
+
 #define BODY_MOTIONS 6  // along x, y, z, then about x, y, z, in body axes
 #define BODY_MATRIX 36
 
@@ -61,7 +75,17 @@ typedef struct {
   // the step from one of its frequencies to the next, the first one being this.
   int first_wave_float;
   float wave_step_radps;
+  float windage;  // share of the force of wind on dry faces
+  int first_mooring, moorings;
 } BodyShape;
+
+// A line from a place on a hull to an anchor: a spring where it is longer than at rest, else slack.
+typedef struct {
+  float x_m, y_m, z_m;  // from the mass centre, in body axes
+  int anchor_tile_x, anchor_tile_z;
+  float anchor_x_m, anchor_y_m, anchor_z_m;
+  float length_m, stiffness_npm;
+} BodyMooring;
 
 // What drives a body in one sub-step.
 typedef struct {
@@ -76,21 +100,12 @@ typedef struct {
   float lost_wave_share;  // of what waves do besides the pressure below their surface: 0 in the open sea
 } BodyDrive;
 
-// What water did to a body in its last sub-step, in world axes about the mass centre.
+// What acted on a body in its last sub-step.
 typedef struct {
-  float pressure_x_n, pressure_y_n, pressure_z_n;
-  float pressure_moment_x_nm, pressure_moment_y_nm, pressure_moment_z_nm;
-  float drag_x_n, drag_y_n, drag_z_n;
-  float drag_moment_x_nm, drag_moment_y_nm, drag_moment_z_nm;
   float displaced_m3;
   float wetted_m2;
-  // By the waves that it has made; without the water that it accelerates.
-  float radiation_x_n, radiation_y_n, radiation_z_n;
-  float radiation_moment_x_nm, radiation_moment_y_nm, radiation_moment_z_nm;
-  // By waves, besides the pressure below their surface: what pressures lose with depth, and what the hull
-  // scatters.
-  float excitation_x_n, excitation_y_n, excitation_z_n;
-  float excitation_moment_x_nm, excitation_moment_y_nm, excitation_moment_z_nm;
+  // [BODY_FORCE_KINDS][BODY_MOTIONS]: force N and moment N m about the mass centre, in world axes.
+  float forces[BODY_FORCE_KINDS * BODY_MOTIONS];
 } BodyReport;
 
 // A wave of the sea, A cos p: phases at label (0, 0) of tile (0, 0) and question 0, in 2^-32 turns.
@@ -109,11 +124,13 @@ typedef struct {
   float middle_s;  // of the sub-steps of a question
 } BodySea;
 
-// The water and the steps.
+// The water, the air and the steps.
 typedef struct {
   float density_kgpm3;
   float gravity_mps2;
   float viscosity_m2ps;  // kinematic
+  float air_density_kgpm3;
+  float wind_x_mps, wind_z_mps;  // 10 m above it
   float step_s;
   int steps;       // between two questions about the water
   int first_step;  // of these, since the start
@@ -136,12 +153,13 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
 static_assert(sizeof(BodyState) == 64, "no padding");
-static_assert(sizeof(BodyShape) == 164, "no padding");
+static_assert(sizeof(BodyShape) == 176, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
-static_assert(sizeof(BodyReport) == 104, "no padding");
+static_assert(sizeof(BodyMooring) == 40, "no padding");
+static_assert(sizeof(BodyReport) == 224, "no padding");
 static_assert(sizeof(BodyWave) == 36, "no padding");
 static_assert(sizeof(BodySea) == 12, "no padding");
-static_assert(sizeof(BodyWater) == 24, "no padding");
+static_assert(sizeof(BodyWater) == 36, "no padding");
 #endif
 
 #endif

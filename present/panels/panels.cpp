@@ -128,6 +128,7 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
     case ParameterGroup::foam:
       return scene.has_sea();
     case ParameterGroup::body:
+    case ParameterGroup::mooring:
       return scene.has_sea() && !scene.meshes.empty();
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
@@ -332,6 +333,7 @@ std::span<const GroupPanel> group_panels() {
                                  {ParameterGroup::highlight, "Highlights"},
                                  {ParameterGroup::light, "Lights"},
                                  {ParameterGroup::body, "Floating bodies"},
+                                 {ParameterGroup::mooring, "Mooring lines"},
                                  {ParameterGroup::clouds, "All clouds"},
                                  {ParameterGroup::cloud_layer, "Layers of clouds"},
                                  {ParameterGroup::cloud, "Clouds"},

@@ -169,9 +169,10 @@ class World:
         return _core.body_poses(self._world)
 
     def body_forces(self) -> dict:
-        """Forces of the water on the bodies in the last sub-step, which ends at time_s, as a dict. pressure_n, drag_n,
-        pressure_moment_nm and drag_moment_nm are [n, 3] in world axes, moments about the mass centre. They leave out the
-        excitation and radiation of hydrodynamic data. displaced_m3 and wetted_m2 are [n]."""
+        """Forces on the bodies in the last sub-step, which ends at time_s, as a dict. pressure_n, drag_n,
+        pressure_moment_nm and drag_moment_nm are [n, 3] in world axes, moments about the mass centre. displaced_m3 and
+        wetted_m2 are [n]. forces is a dict of arrays [n, 6] by kind: pressure, drag, radiation, excitation, propeller,
+        rudder, gravity, wind, mooring. Each row is force x, y, z in N, then moment x, y, z in N m."""
         return _core.body_forces(self._world)
 
     def meshes(self) -> list[dict]:

@@ -37,9 +37,11 @@ nb::dict body_forces(const World& of) {
   auto pressure = new_array<float>({count, 3}), pressure_moment = new_array<float>({count, 3}),
        drag = new_array<float>({count, 3}), drag_moment = new_array<float>({count, 3}),
        displaced = new_array<float>({count}), wetted = new_array<float>({count});
-  const OffingBodyForces forces{sizeof forces,          &time_s,      pressure.data(),
-                                pressure_moment.data(), drag.data(),  drag_moment.data(),
-                                displaced.data(),       wetted.data()};
+  constexpr std::size_t kinds = OFFING_FORCE_KINDS;
+  std::vector<float> by_kind(count * kinds * 6);
+  const OffingBodyForces forces{sizeof forces,          &time_s,       pressure.data(),
+                                pressure_moment.data(), drag.data(),   drag_moment.data(),
+                                displaced.data(),       wetted.data(), by_kind.data()};
   run([&] { return offing_read_body_forces(world, count, &forces); });
   nb::dict values;
   values["time_s"] = time_s;
@@ -49,6 +51,15 @@ nb::dict body_forces(const World& of) {
   values["drag_moment_nm"] = drag_moment;
   values["displaced_m3"] = displaced;
   values["wetted_m2"] = wetted;
+  nb::dict named;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    auto force = new_array<float>({count, 6});
+    for (std::size_t i = 0; i < count; ++i) {
+      std::copy_n(by_kind.data() + (i * kinds + kind) * 6, 6, force.data() + i * 6);
+    }
+    named[offing_body_force_name(static_cast<int>(kind))] = force;
+  }
+  values["forces"] = named;
   return values;
 }
 

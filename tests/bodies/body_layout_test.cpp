@@ -40,17 +40,22 @@ TEST(BodyLayoutTest, BodyDrive) {
 
 TEST(BodyLayoutTest, BodyReport) {
   using S = BodyReport;
-  EXPECT_EQ(on_device("BodyReport",
-                      {"pressure_x_n", "drag_x_n", "wetted_m2", "radiation_x_n", "excitation_moment_z_nm"}),
-            (Layout{sizeof(S), offsetof(S, pressure_x_n), offsetof(S, drag_x_n), offsetof(S, wetted_m2),
-                    offsetof(S, radiation_x_n), offsetof(S, excitation_moment_z_nm)}));
+  EXPECT_EQ(on_device("BodyReport", {"displaced_m3", "wetted_m2", "forces"}),
+            (Layout{sizeof(S), offsetof(S, displaced_m3), offsetof(S, wetted_m2), offsetof(S, forces)}));
+}
+
+TEST(BodyLayoutTest, BodyMooring) {
+  using S = BodyMooring;
+  EXPECT_EQ(on_device("BodyMooring", {"x_m", "anchor_tile_x", "anchor_x_m", "stiffness_npm"}),
+            (Layout{sizeof(S), offsetof(S, x_m), offsetof(S, anchor_tile_x), offsetof(S, anchor_x_m),
+                    offsetof(S, stiffness_npm)}));
 }
 
 TEST(BodyLayoutTest, BodyWater) {
   using S = BodyWater;
-  EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps", "first_step"}),
-            (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps),
-                    offsetof(S, first_step)}));
+  EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "wind_x_mps", "step_s", "steps", "first_step"}),
+            (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, wind_x_mps), offsetof(S, step_s),
+                    offsetof(S, steps), offsetof(S, first_step)}));
 }
 
 TEST(BodyLayoutTest, BodyWave) {

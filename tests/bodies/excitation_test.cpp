@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/bodies/body_forces.h"
 #include "host/bodies/floating_bodies.h"
 #include "host/bodies/hydrostatics.h"
 #include "host/bodies/panel_method.h"
@@ -135,9 +136,12 @@ TEST_F(ExcitationTest, HydrostaticPartIsThatOfTheKernel) {
     return floating.read_reports().front();
   };
   const BodyReport wavy = pressure(water_of(swell)), still = pressure(test::still_water());
-  const double lift = (wavy.pressure_y_n - still.pressure_y_n) / swell.amplitude_m;
-  const double pitch = (wavy.pressure_moment_z_nm - still.pressure_moment_z_nm) / swell.amplitude_m;
-  const double roll = (wavy.pressure_moment_x_nm - still.pressure_moment_x_nm) / swell.amplitude_m;
+  const double lift =
+      (force_of(wavy, BODY_PRESSURE).y - force_of(still, BODY_PRESSURE).y) / swell.amplitude_m;
+  const double pitch =
+      (moment_of(wavy, BODY_PRESSURE).z - moment_of(still, BODY_PRESSURE).z) / swell.amplitude_m;
+  const double roll =
+      (moment_of(wavy, BODY_PRESSURE).x - moment_of(still, BODY_PRESSURE).x) / swell.amplitude_m;
   // The report is of the fourth sub-step: 0.025 s after the start.
   const std::complex<double> later = std::polar(1.0, -swell.frequency_radps() * 3.0 / 120.0);
   const double moment = std::abs(expected[3]) + std::abs(expected[5]);
@@ -163,11 +167,12 @@ TEST_F(ExcitationTest, GoesWithPlaceAndHeading) {
   here.advance_to(2.0, test::still_water());
   there.advance_to(2.0, test::still_water());
   const BodyReport expected = here.read_reports().front(), found = there.read_reports().front();
-  const double scale = std::abs(expected.excitation_y_n);
+  const double scale = std::abs(force_of(expected, BODY_EXCITATION).y);
   EXPECT_GT(scale, 100.0);
-  EXPECT_NEAR(found.excitation_y_n, expected.excitation_y_n, 0.01 * scale);
-  EXPECT_NEAR(found.excitation_z_n, expected.excitation_x_n, 0.01 * scale);
-  EXPECT_NEAR(found.excitation_moment_x_nm, -expected.excitation_moment_z_nm, 0.02 * 10.0 * scale);
+  EXPECT_NEAR(force_of(found, BODY_EXCITATION).y, force_of(expected, BODY_EXCITATION).y, 0.01 * scale);
+  EXPECT_NEAR(force_of(found, BODY_EXCITATION).z, force_of(expected, BODY_EXCITATION).x, 0.01 * scale);
+  EXPECT_NEAR(moment_of(found, BODY_EXCITATION).x, -moment_of(expected, BODY_EXCITATION).z,
+              0.02 * 10.0 * scale);
 }
 
 // Fails if forces of waves depend on which times were asked for.

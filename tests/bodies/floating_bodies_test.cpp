@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/bodies/body_forces.h"
 #include "host/bodies/hydrostatics.h"
 #include "tests/bodies/example_bodies.h"
 
@@ -53,7 +54,7 @@ TEST_F(FloatingBodiesTest, FallFreely) {
   FloatingBody body = load_to_level("box", test::box({1.0, 1.0, 1.0}), 0.0, density);
   body.start.mass_centre_m.y = 500.0;
   body.start.velocity_mps = {3.0, 0.0, -1.0};
-  FloatingBodies floating(device_, {body});
+  FloatingBodies floating(device_, {body}, {.air_density_kgpm3 = 0.0});
   floating.advance_to(5.0, test::still_water());
   const BodyPose pose = floating.read_poses().front();
   EXPECT_NEAR(pose.mass_centre_m.y, 500.0 - 0.5 * gravity * 5.0 * (5.0 + 1.0 / 120.0), 0.02);
@@ -72,7 +73,7 @@ TEST_F(FloatingBodiesTest, KeepTheirAngularMomentum) {
   const auto momentum = [&](const BodyPose& pose) {
     return pose.turn * (body.inertia_kgm2 * pose.spin_radps);
   };
-  FloatingBodies floating(device_, {body});
+  FloatingBodies floating(device_, {body}, {.air_density_kgpm3 = 0.0});
   const glm::dvec3 before = momentum(body.start);
   floating.advance_to(10.0, test::still_water());
   const glm::dvec3 after = momentum(floating.read_poses().front());
@@ -194,7 +195,8 @@ TEST_F(FloatingBodiesTest, ComeToTheSpeedOfTheirThrust) {
   const double speed_mps = floating.read_poses().front().velocity_mps.x;
   EXPECT_GT(speed_mps, 2.0);
   EXPECT_LT(speed_mps, 8.0);
-  EXPECT_NEAR(floating.read_reports().front().drag_x_n + floating.read_reports().front().pressure_x_n,
+  EXPECT_NEAR(force_of(floating.read_reports().front(), BODY_DRAG).x +
+                  force_of(floating.read_reports().front(), BODY_PRESSURE).x,
               -1500.0, 0.02 * 1500.0);
   floating.advance_to(125.0, test::still_water(), ahead);
   EXPECT_NEAR(floating.read_poses().front().velocity_mps.x, speed_mps, 0.02 * speed_mps);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/bodies/body_forces.h"
 #include "host/bodies/floating_bodies.h"
 #include "host/bodies/hull.h"
 #include "host/bodies/panel_method.h"
@@ -116,15 +117,15 @@ TEST_F(TurningTest, BoxAtAnAngleHasTheForcesOfClarke) {
   };
   const BodyReport sway = report({speed_mps, 0.0, sway_mps}, 0.0);
   const double force_n = -half * sway_mps * base * (1.0 + 0.4 * b / t);
-  EXPECT_NEAR(sway.drag_z_n, force_n, 0.08 * std::abs(force_n));
+  EXPECT_NEAR(force_of(sway, BODY_DRAG).z, force_n, 0.08 * std::abs(force_n));
   const double moment_nm = half * l * sway_mps * base * (0.5 + 2.4 * t / l);
-  EXPECT_NEAR(sway.drag_moment_y_nm, moment_nm, 0.08 * std::abs(moment_nm));
+  EXPECT_NEAR(moment_of(sway, BODY_DRAG).y, moment_nm, 0.08 * std::abs(moment_nm));
   const BodyReport yaw = report({speed_mps, 0.0, 0.0}, spin_radps);
   // A turn about the axis up is one to port.
   const double side_n = half * l * spin_radps * base * (-0.5 + 2.2 * b / l - 0.08 * b / t);
-  EXPECT_NEAR(yaw.drag_z_n, side_n, 0.08 * std::abs(force_n));
+  EXPECT_NEAR(force_of(yaw, BODY_DRAG).z, side_n, 0.08 * std::abs(force_n));
   const double turning_nm = -half * l * l * spin_radps * base * (0.25 + 0.039 * b / t - 0.56 * b / l);
-  EXPECT_NEAR(yaw.drag_moment_y_nm, turning_nm, 0.08 * std::abs(turning_nm));
+  EXPECT_NEAR(moment_of(yaw, BODY_DRAG).y, turning_nm, 0.08 * std::abs(turning_nm));
 }
 
 // Fails if lift, cross-flow or the rudder does work on a ship that drifts and turns: her kinetic energy, with

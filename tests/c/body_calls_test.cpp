@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/bodies/body_forces.h"
 #include "host/c/handles.h"
 #include "host/c/offing.h"
 
@@ -96,10 +97,12 @@ TEST_F(BodyCallsTest, HaveTheirForces) {
   double time_s = 0.0;
   std::array<float, 6> pressure_n{}, pressure_moment_nm{}, drag_n{}, drag_moment_nm{};
   std::array<float, 2> displaced_m3{}, wetted_m2{};
+  std::vector<float> by_kind(2 * OFFING_FORCE_KINDS * 6);
   const OffingBodyForces forces{sizeof forces,       &time_s,
                                 pressure_n.data(),   pressure_moment_nm.data(),
                                 drag_n.data(),       drag_moment_nm.data(),
-                                displaced_m3.data(), wetted_m2.data()};
+                                displaced_m3.data(), wetted_m2.data(),
+                                by_kind.data()};
   ASSERT_EQ(offing_frame(world_, 2.0), OFFING_OK) << offing_last_error();
   ASSERT_EQ(offing_read_body_forces(world_, 2, &forces), OFFING_OK) << offing_last_error();
   EXPECT_GT(time_s, 2.0);
@@ -115,9 +118,14 @@ TEST_F(BodyCallsTest, HaveTheirForces) {
   }
   EXPECT_NEAR(wetted_m2[0], 16.0 + 16.0, 6.0);
   const std::vector<BodyReport> due = world_->world.bodies()->read_reports();
-  EXPECT_EQ(drag_n[3], due[1].drag_x_n);
-  EXPECT_EQ(drag_moment_nm[4], due[1].drag_moment_y_nm);
-  EXPECT_EQ(pressure_moment_nm[5], due[1].pressure_moment_z_nm);
+  const std::size_t gravity_y = (OFFING_FORCE_KINDS + OFFING_FORCE_GRAVITY) * 6 + 1;
+  EXPECT_NEAR(by_kind[gravity_y], -9.0 / 4.0 * weight_n, 0.01 * weight_n);
+  EXPECT_STREQ(offing_body_force_name(OFFING_FORCE_MOORING), "mooring");
+  EXPECT_STREQ(offing_body_force_name(OFFING_FORCE_KINDS), "");
+  using bodies::force_of, bodies::moment_of;
+  EXPECT_EQ(drag_n[3], force_of(due[1], BODY_DRAG).x);
+  EXPECT_EQ(drag_moment_nm[4], moment_of(due[1], BODY_DRAG).y);
+  EXPECT_EQ(pressure_moment_nm[5], moment_of(due[1], BODY_PRESSURE).z);
 }
 
 // Fails if an array of another size is filled, or a call gets into a world that another one is using.

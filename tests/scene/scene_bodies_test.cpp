@@ -51,6 +51,21 @@ double draught_m(const world::BodySettings& settings) {
          bodies::extent_of(body.hull).low_m.y;
 }
 
+// Fails if a line without a length is not taut where its body floats at time 0, far from its start in the
+// run-up, or if a length that is given does not count.
+TEST(SceneBodies, LinesAreTautAtTheStart) {
+  const std::string moored =
+      sea + hull +
+      "[[body]]\nmesh = \"hull\"\ndraught_m = 1.5\nspeed_mps = 3\nx_m = 100\nwindage = 2\n"
+      "[[body.mooring]]\nhull_m = [12, 0, 0]\nanchor_m = [142, -40, 0]\n"
+      "[[body.mooring]]\nlength_m = 7\n";
+  const bodies::FloatingBody body = bodies_of(moored)[0].body;
+  ASSERT_EQ(body.moorings.size(), 2u);
+  EXPECT_NEAR(body.moorings[0].length_m, 50.0, 1.5);
+  EXPECT_EQ(body.moorings[1].length_m, 7.0);
+  EXPECT_EQ(body.drag.windage, 2.0);
+}
+
 // Fails if draught, mass or density do not load a body as they say: each gives the others. The ship's coarse
 // hull encloses what the fine one does.
 TEST(SceneBodies, AreLoadedByDraughtMassOrDensity) {

@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +18,7 @@
 #include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/base/utc_time.h"
+#include "host/bodies/body_forces.h"
 #include "host/cli/bodies/bodies_commands.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/ocean/query_settings.h"
@@ -52,6 +55,7 @@ struct MotionArguments {
 struct MotionSample {
   const bodies::FloatingBody* body;
   BodyPose pose, before, after;  ///< half_step_s apart
+  BodyReport report;
 
   glm::dvec3 origin_m() const { return bodies::FloatingBodies::world_point(*body, pose, glm::dvec3(0.0)); }
   glm::dvec3 acceleration_mps2() const {
@@ -69,58 +73,88 @@ struct MotionSample {
 };
 
 struct MotionColumn {
-  const char *name, *unit, *meaning;
-  double (*value)(const MotionSample&);
+  std::string name, unit, meaning;
+  std::function<double(const MotionSample&)> value;
 };
 
-constexpr std::array<MotionColumn, 26> columns{{
-    {"x_m", "m", "mass centre, east", [](const MotionSample& s) { return s.pose.mass_centre_m.x; }},
-    {"y_m", "m", "mass centre, up from the still water",
-     [](const MotionSample& s) { return s.pose.mass_centre_m.y; }},
-    {"z_m", "m", "mass centre, south", [](const MotionSample& s) { return s.pose.mass_centre_m.z; }},
-    {"origin_x_m", "m", "origin of the hull's axes, east",
-     [](const MotionSample& s) { return s.origin_m().x; }},
-    {"origin_y_m", "m", "origin of the hull's axes, up",
-     [](const MotionSample& s) { return s.origin_m().y; }},
-    {"origin_z_m", "m", "origin of the hull's axes, south",
-     [](const MotionSample& s) { return s.origin_m().z; }},
-    {"turn_w", "1", "unit quaternion from the hull's axes to the world's, real part",
-     [](const MotionSample& s) { return s.pose.turn.w; }},
-    {"turn_x", "1", "the same, about x", [](const MotionSample& s) { return s.pose.turn.x; }},
-    {"turn_y", "1", "the same, about y", [](const MotionSample& s) { return s.pose.turn.y; }},
-    {"turn_z", "1", "the same, about z", [](const MotionSample& s) { return s.pose.turn.z; }},
-    {"heading_deg", "degree", "direction of the bow, from east toward south",
-     [](const MotionSample& s) { return bodies::heading_of(s.pose) / degree; }},
-    {"pitch_deg", "degree", "of the bow, above the level",
-     [](const MotionSample& s) { return s.pitch_rad() / degree; }},
-    {"roll_deg", "degree", "of the starboard side, below the level",
-     [](const MotionSample& s) { return s.roll_rad() / degree; }},
-    {"velocity_x_mps", "m s-1", "of the mass centre, east",
-     [](const MotionSample& s) { return s.pose.velocity_mps.x; }},
-    {"velocity_y_mps", "m s-1", "of the mass centre, up",
-     [](const MotionSample& s) { return s.pose.velocity_mps.y; }},
-    {"velocity_z_mps", "m s-1", "of the mass centre, south",
-     [](const MotionSample& s) { return s.pose.velocity_mps.z; }},
-    {"spin_x_radps", "rad s-1", "about the hull's x, forward",
-     [](const MotionSample& s) { return s.pose.spin_radps.x; }},
-    {"spin_y_radps", "rad s-1", "about the hull's y, up",
-     [](const MotionSample& s) { return s.pose.spin_radps.y; }},
-    {"spin_z_radps", "rad s-1", "about the hull's z, to starboard",
-     [](const MotionSample& s) { return s.pose.spin_radps.z; }},
-    {"acceleration_x_mps2", "m s-2", "of the mass centre, east",
-     [](const MotionSample& s) { return s.acceleration_mps2().x; }},
-    {"acceleration_y_mps2", "m s-2", "of the mass centre, up",
-     [](const MotionSample& s) { return s.acceleration_mps2().y; }},
-    {"acceleration_z_mps2", "m s-2", "of the mass centre, south",
-     [](const MotionSample& s) { return s.acceleration_mps2().z; }},
-    {"spin_rate_x_radps2", "rad s-2", "about the hull's x",
-     [](const MotionSample& s) { return s.spin_rate_radps2().x; }},
-    {"spin_rate_y_radps2", "rad s-2", "about the hull's y",
-     [](const MotionSample& s) { return s.spin_rate_radps2().y; }},
-    {"spin_rate_z_radps2", "rad s-2", "about the hull's z",
-     [](const MotionSample& s) { return s.spin_rate_radps2().z; }},
-    {"displaced_m3", "m3", "of water", [](const MotionSample& s) { return s.pose.displaced_m3; }},
-}};
+std::vector<MotionColumn> motion_columns() {
+  return {{"x_m", "m", "mass centre, east", [](const MotionSample& s) { return s.pose.mass_centre_m.x; }},
+          {"y_m", "m", "mass centre, up from the still water",
+           [](const MotionSample& s) { return s.pose.mass_centre_m.y; }},
+          {"z_m", "m", "mass centre, south", [](const MotionSample& s) { return s.pose.mass_centre_m.z; }},
+          {"origin_x_m", "m", "origin of the hull's axes, east",
+           [](const MotionSample& s) { return s.origin_m().x; }},
+          {"origin_y_m", "m", "origin of the hull's axes, up",
+           [](const MotionSample& s) { return s.origin_m().y; }},
+          {"origin_z_m", "m", "origin of the hull's axes, south",
+           [](const MotionSample& s) { return s.origin_m().z; }},
+          {"turn_w", "1", "unit quaternion from the hull's axes to the world's, real part",
+           [](const MotionSample& s) { return s.pose.turn.w; }},
+          {"turn_x", "1", "the same, about x", [](const MotionSample& s) { return s.pose.turn.x; }},
+          {"turn_y", "1", "the same, about y", [](const MotionSample& s) { return s.pose.turn.y; }},
+          {"turn_z", "1", "the same, about z", [](const MotionSample& s) { return s.pose.turn.z; }},
+          {"heading_deg", "degree", "direction of the bow, from east toward south",
+           [](const MotionSample& s) { return bodies::heading_of(s.pose) / degree; }},
+          {"pitch_deg", "degree", "of the bow, above the level",
+           [](const MotionSample& s) { return s.pitch_rad() / degree; }},
+          {"roll_deg", "degree", "of the starboard side, below the level",
+           [](const MotionSample& s) { return s.roll_rad() / degree; }},
+          {"velocity_x_mps", "m s-1", "of the mass centre, east",
+           [](const MotionSample& s) { return s.pose.velocity_mps.x; }},
+          {"velocity_y_mps", "m s-1", "of the mass centre, up",
+           [](const MotionSample& s) { return s.pose.velocity_mps.y; }},
+          {"velocity_z_mps", "m s-1", "of the mass centre, south",
+           [](const MotionSample& s) { return s.pose.velocity_mps.z; }},
+          {"spin_x_radps", "rad s-1", "about the hull's x, forward",
+           [](const MotionSample& s) { return s.pose.spin_radps.x; }},
+          {"spin_y_radps", "rad s-1", "about the hull's y, up",
+           [](const MotionSample& s) { return s.pose.spin_radps.y; }},
+          {"spin_z_radps", "rad s-1", "about the hull's z, to starboard",
+           [](const MotionSample& s) { return s.pose.spin_radps.z; }},
+          {"acceleration_x_mps2", "m s-2", "of the mass centre, east",
+           [](const MotionSample& s) { return s.acceleration_mps2().x; }},
+          {"acceleration_y_mps2", "m s-2", "of the mass centre, up",
+           [](const MotionSample& s) { return s.acceleration_mps2().y; }},
+          {"acceleration_z_mps2", "m s-2", "of the mass centre, south",
+           [](const MotionSample& s) { return s.acceleration_mps2().z; }},
+          {"spin_rate_x_radps2", "rad s-2", "about the hull's x",
+           [](const MotionSample& s) { return s.spin_rate_radps2().x; }},
+          {"spin_rate_y_radps2", "rad s-2", "about the hull's y",
+           [](const MotionSample& s) { return s.spin_rate_radps2().y; }},
+          {"spin_rate_z_radps2", "rad s-2", "about the hull's z",
+           [](const MotionSample& s) { return s.spin_rate_radps2().z; }},
+          {"displaced_m3", "m3", "of water", [](const MotionSample& s) { return s.pose.displaced_m3; }}};
+}
+
+/// Of each kind of forces, three of its force and three of its moment.
+std::vector<MotionColumn> force_columns() {
+  std::vector<MotionColumn> made;
+  for (std::size_t kind = 0; kind < bodies::force_kinds.size(); ++kind) {
+    for (std::size_t motion = 0; motion < BODY_MOTIONS; ++motion) {
+      const bool is_force = motion < 3;
+      const bodies::ForceKind& of = bodies::force_kinds[kind];
+      const char axis = "xyz"[motion % 3];
+      made.push_back(
+          {is_force ? fmt::format("{}_{}_n", of.name, axis) : fmt::format("{}_moment_{}_nm", of.name, axis),
+           is_force ? "N" : "N m",
+           is_force ? fmt::format("force along {}: {}", axis, of.meaning)
+                    : fmt::format("moment about {} at the mass centre: {}", axis, of.meaning),
+           [at = BODY_MOTIONS * kind + motion](const MotionSample& s) {
+             return static_cast<double>(s.report.forces[at]);
+           }});
+    }
+  }
+  return made;
+}
+
+const std::vector<MotionColumn>& columns() {
+  static const std::vector<MotionColumn> all = [] {
+    std::vector<MotionColumn> made = motion_columns();
+    for (MotionColumn& column : force_columns()) made.push_back(std::move(column));
+    return made;
+  }();
+  return all;
+}
 
 /// Where motions go: CSV in a file or on standard output, or NetCDF (time, body).
 class MotionSink {
@@ -137,7 +171,7 @@ class MotionSink {
       }
     }
     std::string header = "time_s,body";
-    for (const MotionColumn& column : columns) header += fmt::format(",{}", column.name);
+    for (const MotionColumn& column : columns()) header += fmt::format(",{}", column.name);
     write(header + "\n");
   }
 
@@ -147,9 +181,9 @@ class MotionSink {
       const std::size_t one = 1, zero = 0;
       output_->put(0, {&at, 1}, {&one, 1}, {&time_s, 1});
       const std::array<std::size_t, 2> start{at, zero}, count{one, samples.size()};
-      for (std::size_t column = 0; column < columns.size(); ++column) {
+      for (std::size_t column = 0; column < columns().size(); ++column) {
         std::vector<double> values;
-        for (const MotionSample& sample : samples) values.push_back(columns[column].value(sample));
+        for (const MotionSample& sample : samples) values.push_back(columns()[column].value(sample));
         output_->put(column + 1, start, count, values);
       }
       return;
@@ -157,7 +191,8 @@ class MotionSink {
     std::string text;
     for (std::size_t body = 0; body < samples.size(); ++body) {
       text += fmt::format("{:.10g},{}", time_s, names_[body]);
-      for (const MotionColumn& column : columns) text += fmt::format(",{:.9g}", column.value(samples[body]));
+      for (const MotionColumn& column : columns())
+        text += fmt::format(",{:.9g}", column.value(samples[body]));
       text += '\n';
     }
     write(text);
@@ -198,7 +233,7 @@ class MotionSink {
           {"standard_name", "time"},
           {"axis", "T"},
           {"long_name", "time of the scene"}}});
-    for (const MotionColumn& column : columns) {
+    for (const MotionColumn& column : columns()) {
       layout.variables.push_back({column.name,
                                   Layout::Type::float64,
                                   {0, 1},
@@ -234,6 +269,7 @@ void run(const MotionArguments& arguments, const GlobalOptions& options) {
   const world::WorldParameters parameters = with_bodies_alone(scene::prepare_shown_world(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   world::World world(device, parameters);
+  world.keep_forces_on_bodies();
   world.set_sea_samples(16);  // bodies feel the whole sea still, and nobody looks at it
   std::vector<std::string> names;
   for (const world::BodySettings& settings : parameters.bodies) {
@@ -251,7 +287,8 @@ void run(const MotionArguments& arguments, const GlobalOptions& options) {
     for (std::size_t body = 0; body < names.size(); ++body) {
       samples.push_back({&parameters.bodies[body].body, world.bodies()->pose(body, time_s),
                          world.bodies()->pose(body, time_s - half_step_s),
-                         world.bodies()->pose(body, time_s + half_step_s)});
+                         world.bodies()->pose(body, time_s + half_step_s),
+                         world.bodies()->forces(body, time_s)});
     }
     sink.add(i, time_s, samples);
     progress.advance();
@@ -270,8 +307,8 @@ void run(const MotionArguments& arguments, const GlobalOptions& options) {
 
 void add_bodies_motion_command(CLI::App& parent, GlobalOptions& options) {
   const auto arguments = std::make_shared<MotionArguments>();
-  CLI::App* command =
-      parent.add_subcommand("motion", "simulate bodies and write their poses, velocities and accelerations");
+  CLI::App* command = parent.add_subcommand(
+      "motion", "simulate bodies and write their poses, velocities, accelerations and forces");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[body]]")
       ->transform(find_scene)
       ->required();
@@ -293,6 +330,8 @@ x points east, y up and z south. To place a vertex of the hull, turn it by the u
 turn_y, turn_z, then add origin_x_m, origin_y_m, origin_z_m. Velocities and accelerations are of the mass
 centre; spins are about the axes of the hull. heading_deg is from east toward south, pitch_deg lifts the bow,
 roll_deg lowers the starboard side.
+Forces, and moments about the mass centre, are along and about x, y and z. Each kind has its columns: pressure,
+drag, radiation, excitation, propeller, rudder, gravity, wind and mooring.
 
 Examples:
   offing bodies motion scenes/afloat.toml --times 0:60:0.1 -o motion.nc

@@ -66,6 +66,7 @@ const char* title(ParameterGroup group) {
     case ParameterGroup::highlight:
       return "Highlights";
     case ParameterGroup::body:
+    case ParameterGroup::mooring:
       return "Floating bodies";
     case ParameterGroup::clouds:
     case ParameterGroup::cloud_layer:

@@ -21,8 +21,9 @@ WakeHistory::WakeHistory(const ocl::Device& device, const scene::Scene& scene, c
     : scene_(scene), wakes_(device, scene::prepare_wakes(scene, sea.spectrum.dispersion), 0.0) {
   std::vector<world::BodySettings> bodies = scene::prepare_bodies(scene, scene::prepare_meshes(scene));
   if (bodies.empty()) return;
-  bodies_ = std::make_unique<world::WorldBodies>(
-      device, std::move(bodies), world::BodySea{sea.spectrum, sea.parameters}, scene::run_up_s(scene), 0.0);
+  bodies_ = std::make_unique<world::WorldBodies>(device, std::move(bodies),
+                                                 world::BodySea{sea.spectrum, sea.parameters, sea.wind},
+                                                 scene::run_up_s(scene), 0.0);
 }
 
 void WakeHistory::at(double time_s) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -9,6 +10,14 @@ namespace offing::scene {
 
 /// What moves a body over the water: thrust, rudder and the water itself, or its path.
 enum class BodyMotion { forces, path };
+
+/// A mooring line of a body.
+struct MooringScene {
+  glm::dvec3 hull_m{0.0};                ///< in the axes of the hull
+  glm::dvec3 anchor_m{0.0, -10.0, 0.0};  ///< in the world
+  std::optional<double> length_m;        ///< where it is not given, the line is just taut at time 0
+  double stiffness_npm = 1e4;
+};
 
 /// A body that floats, and moves a [[mesh]].
 struct BodyScene {
@@ -29,6 +38,8 @@ struct BodyScene {
   int hull_faces = 1000;
   std::string hydrodynamics;            ///< file of added mass, damping and excitation
   double hydrodynamics_length_m = 1.0;  ///< that WAMIT's numbers are divided by
+  double windage = 1.0;                 ///< share of the force of wind on the hull
+  std::vector<MooringScene> moorings;
 };
 
 }  // namespace offing::scene

@@ -147,8 +147,23 @@ FloatingBody loaded(const BodyScene& scene, const std::string& name, TriangleMes
   }
   body.mass_centre_m = scene.mass_centre_m.value_or(body.mass_centre_m);
   body.drive.propeller_diameter_m = scene.propeller_m.value_or(body.drive.propeller_diameter_m);
+  body.drag.windage = scene.windage;
   body.drive.rudder_area_m2 = scene.rudder_m2.value_or(body.drive.rudder_area_m2);
   return body;
+}
+
+/// Lines that are just taut are so where the body floats at this pose.
+std::vector<bodies::MooringLine> moorings_of(const BodyScene& scene, const FloatingBody& body,
+                                             const bodies::BodyPose& at_start) {
+  std::vector<bodies::MooringLine> lines;
+  for (const MooringScene& each : scene.moorings) {
+    const glm::dvec3 place_m = bodies::FloatingBodies::world_point(body, at_start, each.hull_m);
+    lines.push_back({.hull_m = each.hull_m,
+                     .anchor_m = each.anchor_m,
+                     .length_m = each.length_m.value_or(glm::distance(place_m, each.anchor_m)),
+                     .stiffness_npm = each.stiffness_npm});
+  }
+  return lines;
 }
 
 world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size_t mesh,
@@ -167,8 +182,12 @@ world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size
       body, name, bodies::pressed_hull(whole, *settings.map, static_cast<std::size_t>(body.hull_faces)));
   settings.body.hydrodynamics = read_body_hydrodynamics(scene, index, settings.body);
   const auto course = std::make_shared<const BodyHeading>(scene, index);
-  const bodies::PathPlace start = course->place_at(-run_up_s(scene));
-  settings.body.start = bodies::at_rest(settings.body, water_kgpm3, start.x_m, start.z_m, start.heading_rad);
+  const auto rest_at = [&](double time_s) {
+    const bodies::PathPlace place = course->place_at(time_s);
+    return bodies::at_rest(settings.body, water_kgpm3, place.x_m, place.z_m, place.heading_rad);
+  };
+  settings.body.start = rest_at(-run_up_s(scene));
+  if (!body.moorings.empty()) settings.body.moorings = moorings_of(body, settings.body, rest_at(0.0));
   bodies::require_valid(settings.body);
   settings.drive = [course](double time_s, double start_s) { return course->drive_at(time_s, start_s); };
   return settings;

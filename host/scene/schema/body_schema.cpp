@@ -160,15 +160,58 @@ std::vector<Row<BodyScene>> body_motion_rows() {
         .example = "1",
         .absent = "a fiftieth of length times draught",
         .slider = {{0.0, 200.0}}},
-       needs_forces}};
+       needs_forces},
+      {&BodyScene::windage,
+       {.key = "windage",
+        .low = 0.0,
+        .high = 100.0,
+        .help = "factor on the force of wind on its dry faces: 0 is none, above 1 for rigging and deckhouses",
+        .slider = {{0.0, 5.0}}}}};
+}
+
+constexpr std::size_t max_moorings = 32;
+
+std::vector<Row<MooringScene>> mooring_rows() {
+  return {{&MooringScene::hull_m,
+           {.key = "hull_m",
+            .unit = "m",
+            .low = -1e4,
+            .high = 1e4,
+            .help = "place on the hull: forward, up and to starboard of its origin",
+            .example = "[12, 1.5, 0]"}},
+          {&MooringScene::anchor_m,
+           {.key = "anchor_m",
+            .unit = "m",
+            .low = -1e7,
+            .high = 1e7,
+            .help = "place of its anchor in the world: x east, y up from the still water, z south",
+            .example = "[60, -20, 0]"}},
+          {&MooringScene::length_m,
+           {.key = "length_m",
+            .unit = "m",
+            .low = 0.0,
+            .high = 1e5,
+            .help = "length at rest; a line that is shorter than this is slack",
+            .example = "55",
+            .absent = "just taut where the body floats at time 0"}},
+          {&MooringScene::stiffness_npm,
+           {.key = "stiffness_npm",
+            .unit = "N/m",
+            .low = 0.0,
+            .high = 1e12,
+            .help = "tension per metre by which it is longer than at rest",
+            .slider = {{10.0, 1e7}}}}};
 }
 
 }  // namespace
 
 Schema<BodyScene> body_schema() {
+  Schema<MooringScene> moorings("mooring");
+  moorings.rows(ParameterGroup::mooring, Affects::bodies, mooring_rows());
   Schema<BodyScene> schema("body");
   return schema.rows(ParameterGroup::body, Affects::bodies, load_rows())
-      .rows(ParameterGroup::body, Affects::bodies, body_motion_rows());
+      .rows(ParameterGroup::body, Affects::bodies, body_motion_rows())
+      .list(&BodyScene::moorings, max_moorings, moorings);
 }
 
 }  // namespace offing::scene

@@ -41,6 +41,7 @@ enum class ParameterGroup {
   mesh,
   highlight,
   body,
+  mooring,
   clouds,
   cloud_layer,
   cloud,

@@ -90,7 +90,9 @@ constexpr BaseScene bases[] = {
     {"mesh mesh.highlight",
      "[time]\nstart_s = 2\n[[mesh]]\nshape = \"sphere\"\nshading = \"cartoon\"\noutline_px = 2\n"
      "specular = 0.1\n[[mesh.highlight]]\nmask_m = [0, 0, 1]\nsplit = 3\ntexture = \"star\"\n"},
-    {"body", "[ocean]\nsize = 32\n[[mesh]]\nname = \"box\"\nshape = \"box\"\n[[body]]\nmesh = \"box\"\n"},
+    {"body body.mooring",
+     "[ocean]\nsize = 32\n[[mesh]]\nname = \"box\"\nshape = \"box\"\n[[body]]\nmesh = "
+     "\"box\"\n[[body.mooring]]\n"},
     {"clouds cloud cloud.ball cloud.level cloud.particle_edit",
      "[time]\nstart_s = 10\n[clouds]\nquality = 0.1\n[[cloud]]\ngenus = \"cumulus\"\nheat_k = "
      "1\nobstacle_m = [0, 900, 0]\nwind_mps = [1, 0, 0]\n"
