@@ -547,7 +547,7 @@ typedef enum OffingForceKind {
 const char* offing_body_force_name(int kind);
 
 /** Where offing_read_body_forces() writes. Forces and moments are in world axes, moments about the mass
- * centre. They leave out the excitation and radiation of the hull's hydrodynamic data. */
+ * centre. `forces` has all kinds. */
 typedef struct OffingBodyForces {
   size_t size;               /**< sizeof(OffingBodyForces) */
   double* time_s;            /**< [1], the end of the sub-step */
@@ -557,8 +557,7 @@ typedef struct OffingBodyForces {
   float* drag_moment_nm;     /**< [count][3] */
   float* displaced_m3;       /**< [count], volume of displaced water */
   float* wetted_m2;          /**< [count], wetted area of the hull */
-  float*
-      forces; /**< [count][OFFING_FORCE_KINDS][6], of each kind: force x, y, z N, moment x, y, z N m */
+  float* forces; /**< [count][OFFING_FORCE_KINDS][6], of each kind: force x, y, z N, moment x, y, z N m */
 } OffingBodyForces;
 /** Reads the forces on all bodies in the last simulated sub-step. Bodies are simulated ahead of
  * frames: `time_s` is up to 0.14 s after the latest frame so far. `count` must be offing_body_count(). */

@@ -330,8 +330,8 @@ x points east, y up and z south. To place a vertex of the hull, turn it by the u
 turn_y, turn_z, then add origin_x_m, origin_y_m, origin_z_m. Velocities and accelerations are of the mass
 centre; spins are about the axes of the hull. heading_deg is from east toward south, pitch_deg lifts the bow,
 roll_deg lowers the starboard side.
-Forces, and moments about the mass centre, are along and about x, y and z. Each kind has its columns: pressure,
-drag, radiation, excitation, propeller, rudder, gravity, wind and mooring.
+Forces, and moments about the mass centre, are along and about x, y and z. Each kind has its columns:
+pressure, drag, radiation, excitation, propeller, rudder, gravity, wind and mooring.
 
 Examples:
   offing bodies motion scenes/afloat.toml --times 0:60:0.1 -o motion.nc
