@@ -38,7 +38,9 @@ BodyState device_state(const BodyPose& pose) {
           .spin_x_radps = static_cast<float>(pose.spin_radps.x),
           .spin_y_radps = static_cast<float>(pose.spin_radps.y),
           .spin_z_radps = static_cast<float>(pose.spin_radps.z),
-          .displaced_m3 = static_cast<float>(pose.displaced_m3)};
+          .displaced_m3 = static_cast<float>(pose.displaced_m3),
+          .flow_x_mps = static_cast<float>(pose.flow_mps.x),
+          .flow_z_mps = static_cast<float>(pose.flow_mps.y)};
 }
 
 BodyPose pose_of(const BodyState& state) {
@@ -47,7 +49,8 @@ BodyPose pose_of(const BodyState& state) {
           .turn = glm::normalize(glm::dquat(state.turn_w, state.turn_x, state.turn_y, state.turn_z)),
           .velocity_mps = {state.velocity_x_mps, state.velocity_y_mps, state.velocity_z_mps},
           .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps},
-          .displaced_m3 = state.displaced_m3};
+          .displaced_m3 = state.displaced_m3,
+          .flow_mps = {state.flow_x_mps, state.flow_z_mps}};
 }
 
 BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
@@ -55,7 +58,8 @@ BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
           .turn = glm::slerp(from.turn, to.turn, share),
           .velocity_mps = glm::mix(from.velocity_mps, to.velocity_mps, share),
           .spin_radps = glm::mix(from.spin_radps, to.spin_radps, share),
-          .displaced_m3 = std::lerp(from.displaced_m3, to.displaced_m3, share)};
+          .displaced_m3 = std::lerp(from.displaced_m3, to.displaced_m3, share),
+          .flow_mps = glm::mix(from.flow_mps, to.flow_mps, share)};
 }
 
 }  // namespace offing::bodies

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "kernels/shared/bodies.h"
@@ -18,6 +19,7 @@ struct BodyPose {
   glm::dvec3 velocity_mps{0.0};         ///< of the mass centre, in world axes
   glm::dvec3 spin_radps{0.0};           ///< in body axes
   double displaced_m3 = 0.0;            ///< of water, a sub-step before
+  glm::dvec2 flow_mps{0.0};             ///< of the water around the hull then, along x and z
 };
 
 /// Of body x in the world, from +x toward +z, rad.

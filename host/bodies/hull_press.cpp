@@ -73,9 +73,9 @@ double HullPresser::level_m(double displaced_m3) const {
                                       (displaced_m3 - below_m3) / (*above - below_m3));
 }
 
-void HullPresser::press(const BodyPose& pose, double share, const WakeGrid& grid,
+void HullPresser::press(const BodyPose& pose, double factor, const WakeGrid& grid,
                         ocl::Buffer<float>& displaced) const {
-  if (pose.displaced_m3 <= 0.0 || share <= 0.0) return;
+  if (pose.displaced_m3 <= 0.0 || factor == 0.0) return;
   const glm::dmat3 axes = glm::mat3_cast(pose.turn);
   const glm::dmat2 shadow = shadow_of(axes);
   const double level = level_m(pose.displaced_m3), above_m = level - mass_centre_m_.y;
@@ -122,7 +122,7 @@ void HullPresser::press(const BodyPose& pose, double share, const WakeGrid& grid
                          .map_columns = HullMap::columns,
                          .map_rows = HullMap::rows,
                          .level_m = static_cast<float>(level),
-                         .share = static_cast<float>(std::min(share, 1.0))};
+                         .factor = static_cast<float>(factor)};
   // Groups of one shape, whatever the hull covers: some drivers compile a kernel anew for each shape.
   const auto whole = [&](int count) {
     return (static_cast<std::size_t>(count) + group_side_ - 1) / group_side_ * group_side_;

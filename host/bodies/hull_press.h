@@ -21,9 +21,9 @@ class HullPresser {
   /// `map` is that of the body's mesh (map_of_hull()).
   HullPresser(const ocl::Device& device, const HullMap& map, const glm::dvec3& mass_centre_m);
 
-  /// Enqueues what adds the hull in this pose to displaced [n][n] m of a window; `share` of it, 0 ... 1.
+  /// Enqueues what adds the hull in this pose to displaced [n][n] m of a window, taken by a factor.
   /// Nothing for a hull beside the window, or one that displaces nothing.
-  void press(const BodyPose& pose, double share, const WakeGrid& grid, ocl::Buffer<float>& displaced) const;
+  void press(const BodyPose& pose, double factor, const WakeGrid& grid, ocl::Buffer<float>& displaced) const;
 
   /// The level of the mesh's axes at which the upright hull displaces this volume, by its map.
   double level_m(double displaced_m3) const;

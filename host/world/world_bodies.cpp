@@ -29,6 +29,9 @@ constexpr double shoal_lag_s = 0.3;
 constexpr double longest_leap_s = 7200.0;
 // Of the run-up, while hulls come to their weight: a hull that is put on the water at once throws a ring.
 constexpr double settling_s = 5.0;
+// How fast hulls move in the water is measured over this time or, where that is less than a cell of a wake
+// window, over a cell, but no longer than this.
+constexpr double growth_step_s = 1.0 / 30.0, longest_growth_s = 1.0;
 // Samples of the shortest wave that counts: bilinear maps have lost 4 % of its height midway between them.
 constexpr double samples_of_wave = 6.0;
 constexpr int smallest_size = 16;
@@ -267,12 +270,34 @@ std::function<highlights::RigidMotion(double)> WorldBodies::motion_of_hull(std::
   };
 }
 
-void WorldBodies::press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const {
+/// Of their weight that hulls have come to in the run-up.
+double WorldBodies::settled_share(double time_s) const {
   const double settled =
       run_up_s_ > 0.0 ? std::clamp((time_s - begin_s()) / std::min(settling_s, run_up_s_), 0.0, 1.0) : 1.0;
-  const double share = settled * settled * (3.0 - 2.0 * settled);
+  return settled * settled * (3.0 - 2.0 * settled);
+}
+
+void WorldBodies::press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const {
   for (std::size_t body = 0; body < size(); ++body) {
-    pressers_[body].press(pose(body, time_s), share, grid, displaced);
+    pressers_[body].press(pose(body, time_s), settled_share(time_s), grid, displaced);
+  }
+}
+
+void WorldBodies::add_growth(double time_s, const WakeGrid& grid, ocl::Buffer<float>& growth) const {
+  for (std::size_t body = 0; body < size(); ++body) {
+    const bodies::BodyPose now = pose(body, time_s), before = pose(body, time_s - growth_step_s);
+    const glm::dvec2 speed_mps = glm::dvec2(now.velocity_mps.x, now.velocity_mps.z) - now.flow_mps;
+    const double volume_rate_m3ps = (now.displaced_m3 - before.displaced_m3) / growth_step_s;
+    // The difference over a way of a cell or more: a hull's edge that passes a sample of a cell is a jump.
+    const double slowest_mps = static_cast<double>(grid.cell_m) / longest_growth_s;
+    const double span_s = std::max(
+        growth_step_s, static_cast<double>(grid.cell_m) / std::max(glm::length(speed_mps), slowest_mps));
+    for (const double side : {0.5, -0.5}) {
+      bodies::BodyPose moved = now;
+      moved.mass_centre_m += side * span_s * glm::dvec3(speed_mps.x, 0.0, speed_mps.y);
+      moved.displaced_m3 += side * span_s * volume_rate_m3ps;
+      pressers_[body].press(moved, 2.0 * side * settled_share(time_s) / span_s, grid, growth);
+    }
   }
 }
 

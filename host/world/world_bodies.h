@@ -122,12 +122,16 @@ class WorldBodies {
   /// Enqueues what adds the hulls at a time to displaced [n][n] m of a wake window. In the beginning of the
   /// run-up they come to their weight by and by.
   void press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const;
+  /// Enqueues what adds to [n][n] m/s how fast that depth grows by the motion of the hulls, but for their
+  /// turning, in the water around them.
+  void add_growth(double time_s, const WakeGrid& grid, ocl::Buffer<float>& growth) const;
   /// Of all hulls, at rest.
   double draught_m() const { return draught_m_; }
 
  private:
   void reset(double start_s);
   double total_draught_m() const;
+  double settled_share(double time_s) const;
   void tell_waves();
   double lost_wave_share(std::size_t body, double time_s) const;
   void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,

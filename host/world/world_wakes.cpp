@@ -37,10 +37,13 @@ double WorldWakes::start_s(const WakeSettings& settings, double time_s, const Wo
 }
 
 void WorldWakes::at(double time_s, const ocean::WaterPoint& eye, const WorldBodies* bodies) {
-  ocean::WakeWindow::AddDisplaced press;
+  ocean::WakeWindow::AddDisplaced press, add_growth;
   if (bodies != nullptr) {
     press = [bodies](double at_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) {
       bodies->press(at_s, grid, displaced);
+    };
+    add_growth = [bodies](double at_s, const WakeGrid& grid, ocl::Buffer<float>& growth) {
+      bodies->add_growth(at_s, grid, growth);
     };
   }
   for (std::size_t i = 0; i < windows_.size(); ++i) {
@@ -54,7 +57,7 @@ void WorldWakes::at(double time_s, const ocean::WaterPoint& eye, const WorldBodi
       window.reset(from_s, forcing(from_s).centre);
       has_history_[i] = true;
     }
-    window.advance_to(time_s, forcing, press);
+    window.advance_to(time_s, forcing, press, add_growth);
   }
   maps_->at(windows_, time_s, press);
 }

@@ -203,6 +203,11 @@ static void add_face(const BodyShape* shape, const BodyWater* water, float3 velo
   sum->flow += part.area * flow;
 }
 
+// Of the water around the hull.
+static float3 mean_flow(const Wrench* wrench) {
+  return wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
+}
+
 // Of water, by the force that it lifts with.
 static float displaced_by(const BodyWater* water, const Wrench* wrench) {
   return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
@@ -453,7 +458,7 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
                     const Motions* excitation, Motion* motion, Push* pushes) {
   const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
-  const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
+  const float3 flow = mean_flow(wrench);
   const float reach = 0.5f * shape->length_m;
   const float turning_speed = reach * length(motion->spin) + 1e-6f;
   const float least_inertia = fmin(shape->inertia_xx, fmin(shape->inertia_yy, shape->inertia_zz));
@@ -509,8 +514,10 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
 }
 
 // The place in the tile that it is in.
-static void write_state(const BodyState* origin, const Motion* motion, float displaced, __global BodyState* written) {
+static void write_state(const BodyWater* water, const BodyState* origin, const Motion* motion, const Wrench* sum,
+                        __global BodyState* written) {
   const float east = rint(motion->place.x / SURFACE_QUERY_TILE_M), south = rint(motion->place.z / SURFACE_QUERY_TILE_M);
+  const float3 flow = mean_flow(sum);
   const BodyState state = {origin->tile_x + (int)east,
                            origin->tile_z + (int)south,
                            motion->place.x - SURFACE_QUERY_TILE_M * east,
@@ -526,7 +533,9 @@ static void write_state(const BodyState* origin, const Motion* motion, float dis
                            motion->spin.x,
                            motion->spin.y,
                            motion->spin.z,
-                           displaced};
+                           displaced_by(water, sum),
+                           flow.x,
+                           flow.z};
   *written = state;
 }
 
@@ -625,9 +634,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       advance(&shape, &water, &drive, &origin, &total, propeller, depth, moorings, memory + shape.first_memory_float,
               &past, &waves, &motion, pushes);
       now = motion;
-      write_state(&origin, &motion, displaced_by(&water, &total), &path[step * bodies + body]);
+      write_state(&water, &origin, &motion, &total, &path[step * bodies + body]);
       if (step == water.steps - 1) {
-        write_state(&origin, &motion, displaced_by(&water, &total), &ends[body]);
+        write_state(&water, &origin, &motion, &total, &ends[body]);
         write_report(&water, &total, pushes, &reports[body]);
       }
     }

@@ -32,5 +32,5 @@ __kernel void hull_press(const HullPress press, __global const float *restrict b
   if (sum == 0.0f) return;
   const uint mask = (uint)(press.size - 1);
   const uint stored_column = (uint)(press.first_column + column) & mask, stored_row = (uint)(press.first_row + row) & mask;
-  displaced[stored_row * (uint)press.size + stored_column] += press.share * sum / weights;
+  displaced[stored_row * (uint)press.size + stored_column] += press.factor * sum / weights;
 }

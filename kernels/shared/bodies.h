@@ -41,7 +41,8 @@ typedef struct {
   float turn_x, turn_y, turn_z, turn_w;                  // unit quaternion from body axes to the world's
   float velocity_x_mps, velocity_y_mps, velocity_z_mps;  // of the mass centre, in world axes
   float spin_x_radps, spin_y_radps, spin_z_radps;        // in body axes
-  float displaced_m3;                                    // of water, in the sub-step that led here
+  // In the sub-step that led here: of water, and the mean velocity of that around the hull.
+  float displaced_m3, flow_x_mps, flow_z_mps;
 } BodyState;
 
 // What a body is.
@@ -147,12 +148,12 @@ typedef struct {
   float across_by_column, across_by_row;
   int map_columns, map_rows;
   float level_m;  // of the water, in the map's axes
-  float share;    // of its depth that presses, 0 ... 1
+  float factor;   // of its depth
 } HullPress;
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
-static_assert(sizeof(BodyState) == 64, "no padding");
+static_assert(sizeof(BodyState) == 72, "no padding");
 static_assert(sizeof(BodyShape) == 176, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
 static_assert(sizeof(BodyMooring) == 40, "no padding");

@@ -16,9 +16,9 @@ Layout on_device(const char* name, const std::vector<std::string>& members) {
 
 TEST(BodyLayoutTest, BodyState) {
   using S = BodyState;
-  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "displaced_m3"}),
+  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "displaced_m3", "flow_z_mps"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, x_m), offsetof(S, turn_w),
-                    offsetof(S, spin_x_radps), offsetof(S, displaced_m3)}));
+                    offsetof(S, spin_x_radps), offsetof(S, displaced_m3), offsetof(S, flow_z_mps)}));
 }
 
 TEST(BodyLayoutTest, BodyShape) {
@@ -73,9 +73,9 @@ TEST(BodyLayoutTest, BodySea) {
 
 TEST(BodyLayoutTest, HullPress) {
   using S = HullPress;
-  EXPECT_EQ(on_device("HullPress", {"first_column", "columns", "along", "map_columns", "share"}),
+  EXPECT_EQ(on_device("HullPress", {"first_column", "columns", "along", "map_columns", "factor"}),
             (Layout{sizeof(S), offsetof(S, first_column), offsetof(S, columns), offsetof(S, along),
-                    offsetof(S, map_columns), offsetof(S, share)}));
+                    offsetof(S, map_columns), offsetof(S, factor)}));
 }
 
 }  // namespace

@@ -238,8 +238,9 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   next_ = ocl::Buffer<float>(device, 2 * texels(), "wake step");
   displaced_ = ocl::Buffer<float>(device, texels(), "displaced depth");
   fields_ = ocl::Buffer<float>(device, 4 * texels(), "wake fields");
-  foam_ = ocl::Buffer<float>(device, 2 * texels(), "foam of wakes");
-  next_foam_ = ocl::Buffer<float>(device, 2 * texels(), "foam of wakes");
+  foam_ = ocl::Buffer<float>(device, texels(), "foam of wakes");
+  next_foam_ = ocl::Buffer<float>(device, texels(), "foam of wakes");
+  growth_ = ocl::Buffer<float>(device, texels(), "growing depth");
   drops_ = ocl::Buffer<float>(device, 2 * texels() / (WAKE_RAIN_SQUARE * WAKE_RAIN_SQUARE), "wake rain");
   if (parameters_.method == WakeMethod::verlet) {
     verlet_ = kernel("ocean/wakes/wake_verlet.cl", "wake_verlet");
@@ -293,7 +294,8 @@ void WakeWindow::reset(double time_s, const WaterPoint& centre) {
   foam_step_number_.reset();
 }
 
-void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced) {
+void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced,
+                            const AddDisplaced& add_growth) {
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   // A time that is a multiple of the step but for rounding is taken as that multiple.
   const auto last = static_cast<std::int64_t>(std::floor(time_s / parameters_.step_s + 1e-6));
@@ -304,31 +306,42 @@ void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const Ad
       "use a shorter ocean.wake.history_s, a longer ocean.wake.step_s, or fewer ocean.wake.cells");
   while (step_ < last) {
     const double middle_s = (static_cast<double>(step_) + 0.5) * parameters_.step_s;
-    step(forcing_at(middle_s), middle_s, add_displaced);
+    step(forcing_at, middle_s, add_displaced, add_growth);
     ++step_;
     estimate.step_done([&] { device_.finish(); });
   }
 }
 
-void WakeWindow::displace(const std::vector<WakeHull>& hulls) {
+std::vector<WakeHullShape> WakeWindow::shapes_of(const std::vector<WakeHull>& hulls) const {
   require_within("wake hull count", static_cast<double>(hulls.size()), 0.0, most_hulls);
   std::vector<WakeHullShape> shapes;
   for (const WakeHull& hull : hulls) {
     require_valid_hull(hull);
     shapes.push_back(device_hull(hull, grid_, parameters_.cell_m()));
   }
-  if (displaced_by_ && are_same(displaced_by_->hulls, shapes) && are_same(displaced_by_->grid, grid_)) return;
-  displaced_.fill(0.0f);
-  for (const WakeHullShape& hull : shapes) {
+  return shapes;
+}
+
+void WakeWindow::add_hulls(const std::vector<WakeHullShape>& hulls, double factor,
+                           ocl::Buffer<float>& sum) const {
+  for (const WakeHullShape& hull : hulls) {
     const HullCells cells = cells_of(hull, grid_);
     if (cells.columns <= 0 || cells.rows <= 0) continue;
     displace_.launch({{static_cast<std::size_t>(cells.columns), static_cast<std::size_t>(cells.rows), 1}},
-                     grid_, hull, cells.first_column, cells.first_row, samples_of(hull, grid_), displaced_);
+                     grid_, hull, cells.first_column, cells.first_row, samples_of(hull, grid_),
+                     static_cast<float>(factor), sum);
   }
+}
+
+void WakeWindow::displace(const std::vector<WakeHull>& hulls) {
+  std::vector<WakeHullShape> shapes = shapes_of(hulls);
+  if (displaced_by_ && are_same(displaced_by_->hulls, shapes) && are_same(displaced_by_->grid, grid_)) return;
+  displaced_.fill(0.0f);
+  add_hulls(shapes, 1.0, displaced_);
   displaced_by_ = DisplacedBy{.hulls = std::move(shapes), .grid = grid_};
 }
 
-void WakeWindow::make_foam() {
+void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_growth) {
   if (parameters_.foam_decay_s == 0.0) return;
   const auto every = std::max<std::int64_t>(std::llround(foam_step_s / parameters_.step_s), 1);
   if (step_ % every != 0) return;
@@ -336,10 +349,16 @@ void WakeWindow::make_foam() {
   const double cell_m = parameters_.cell_m();
   // Explicit diffusion is stable up to a quarter.
   const double spread = std::min(foam_diffusion_m2ps * since_s / (cell_m * cell_m), 0.2);
-  foam_step_.launch(whole(), grid_, state_, displaced_, foam_,
+  growth_.fill(0.0f);
+  // Nothing is known of the time before the first one.
+  if (foam_step_number_) {
+    add_hulls(shapes_of(forcing_at(middle_s).hulls), 1.0 / since_s, growth_);
+    add_hulls(shapes_of(forcing_at(middle_s - since_s).hulls), -1.0 / since_s, growth_);
+    if (add_growth) add_growth(middle_s, grid_, growth_);
+  }
+  foam_step_.launch(whole(), grid_, state_, displaced_, growth_, foam_,
                     static_cast<float>(std::exp(-since_s / parameters_.foam_decay_s)),
-                    static_cast<float>(spread), static_cast<float>(since_s), foam_step_number_ ? 0 : 1,
-                    next_foam_);
+                    static_cast<float>(spread), next_foam_);
   std::swap(foam_, next_foam_);
   foam_step_number_ = step_;
 }
@@ -361,14 +380,16 @@ void WakeWindow::rain() {
   hollows_.launch(whole(), grid_, drops_, drop_m_, displaced_);
 }
 
-void WakeWindow::step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced) {
+void WakeWindow::step(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_displaced,
+                      const AddDisplaced& add_growth) {
+  const WakeForcing forcing = forcing_at(middle_s);
   scroll_to(forcing.centre);
   displace(forcing.hulls);
   if (add_displaced) {
     add_displaced(middle_s, grid_, displaced_);
     displaced_by_.reset();
   }
-  make_foam();
+  make_foam(forcing_at, middle_s, add_growth);
   rain();
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();

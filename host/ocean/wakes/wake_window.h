@@ -86,7 +86,8 @@ struct WakeState {
 /// and what is shown is faded to nothing there.
 ///
 /// Foam covers 0 ... 1 of the water, as that of the sea does (FoamParameters). Hulls make it where their
-/// depth changes fast, and steep waves where they break (ocean/wakes/wake_foam.cl). It stays where it is,
+/// depth changes fast in the water around them, and steep waves where they break
+/// (ocean/wakes/wake_foam.cl). It stays where it is,
 /// spreads by turbulence and fades.
 ///
 /// State is history: it is known at multiples of step_s, and advance_to() takes it from one to the next. The
@@ -116,7 +117,10 @@ class WakeWindow {
   /// Enqueues the steps up to time_s, none for an earlier one. Throws Error(bad_input) for a time beyond 1e8
   /// s, a centre beyond farthest_point_m, a hull out of range, or steps that would take longer than
   /// a first picture may (base/time_estimate.h): the state is that of the last whole step then.
-  void advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced = {});
+  /// `add_growth`, for foam, adds to [n][n] m/s how fast the depth grows that hulls of other shapes displace,
+  /// by their motion in the water around them.
+  void advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced = {},
+                  const AddDisplaced& add_growth = {});
 
   /// Enqueues the map of time_s, which is to be within a step of the state: [n][n] float4 from texel `first`
   /// on (height m, dh/dx, dh/dz, dh/dt m/s), laid out as WakeGrid says. Of `dispersive` the hollows under
@@ -136,10 +140,13 @@ class WakeWindow {
   void write_state(const WakeState& state);
 
  private:
-  void step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced);
+  void step(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_displaced,
+            const AddDisplaced& add_growth);
+  std::vector<WakeHullShape> shapes_of(const std::vector<WakeHull>& hulls) const;
+  void add_hulls(const std::vector<WakeHullShape>& hulls, double factor, ocl::Buffer<float>& sum) const;
   void displace(const std::vector<WakeHull>& hulls);
   void rain();
-  void make_foam();
+  void make_foam(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_growth);
   void advance_dispersive();
   void advance_verlet();
   ocl::LaunchShape whole() const;
@@ -156,7 +163,8 @@ class WakeWindow {
       map_, foam_step_, shown_;
   ocl::Buffer<float> kept_, blend_, turn_table_, omega_;
   ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
-  ocl::Buffer<float> foam_, next_foam_;           // [n][n] float2 of ocean/wakes/wake_foam.cl
+  ocl::Buffer<float> foam_, next_foam_;           // [n][n]
+  ocl::Buffer<float> growth_;                     // [n][n] m/s, of what hulls displace
   std::optional<std::int64_t> foam_step_number_;  // of foam_; none: nothing has made any
   // All that displaced_ holds; nothing where it holds more, or rain.
   struct DisplacedBy {

@@ -1,6 +1,7 @@
 // How deep a hull presses the water of a wake window, added to what presses there already.
 // In:    grid; hull (shared/wake.h); the first column and row of the window that it may reach; samples along a side of the
 //        square of a cell, even. Launched over the cells that it may reach.
+//        The factor to take it by.
 // Inout: displaced [n][n] m: the pressure on the water over its density and gravity; its integral over a hull is the volume
 //        that the hull displaces.
 // A hull counts in each cell with the mean over the square of two cells a side around it, weighted by a tent, so that the
@@ -16,7 +17,7 @@ static float hull_depth(const WakeHullShape *hull, float x_m, float z_m) {
 }
 
 __kernel void wake_displace(WakeGrid grid, WakeHullShape hull, int first_column, int first_row, int samples,
-                            __global float *restrict displaced) {
+                            float factor, __global float *restrict displaced) {
   const int column = first_column + (int)get_global_id(0), row = first_row + (int)get_global_id(1);
   const float x_m = (float)column * grid.cell_m - hull.x_m, z_m = (float)row * grid.cell_m - hull.z_m;
   float sum = 0.0f, weights = 0.0f;
@@ -31,5 +32,5 @@ __kernel void wake_displace(WakeGrid grid, WakeHullShape hull, int first_column,
   }
   const uint mask = (uint)(grid.size - 1);
   const uint stored_column = (uint)(grid.first_column + column) & mask, stored_row = (uint)(grid.first_row + row) & mask;
-  displaced[stored_row * (uint)grid.size + stored_column] += sum / weights;
+  displaced[stored_row * (uint)grid.size + stored_column] += factor * sum / weights;
 }

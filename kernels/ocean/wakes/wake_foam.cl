@@ -1,8 +1,8 @@
 // Foam of a wake window: faded, spread, and made anew by hulls and breaking waves.
-// In:  grid; state [n][n] float2, with the height h in x; displaced [n][n] m, by hulls alone; foam [n][n] float2: foam 0 ... 1, and
-//      what was displaced then, m; the share that stays; the share of a cell that each neighbour takes; the time since then;
-//      is_first: nothing is known of then.
-// Out: next [n][n] float2, as foam.
+// In:  grid; state [n][n] float2, with the height h in x; displaced [n][n] m, by hulls alone; growth [n][n] m/s, of that depth by
+//      the motion of hulls in the water around them; foam [n][n] 0 ... 1; the share of it that stays; the share of a cell that each
+//      neighbour takes.
+// Out: next [n][n], as foam.
 // Hulls make foam where their surface pushes water away or leaves it behind fast: at the bow and behind the stern. With d the depth
 // that they displace, their surface moves along its normal at (dd/dt) / sqrt(1 + |grad d|^2). Turbulence draws in air from about
 // 1 m/s on (Chanson 1996). Waves that a hull makes break on slopes from 17 degrees on (Duncan 1983), and none is steeper than 30
@@ -17,28 +17,28 @@
 static inline float ramp(float low, float high, float value) { return clamp((value - low) / (high - low), 0.0f, 1.0f); }
 
 __kernel void wake_foam(WakeGrid grid, __global const float2 *restrict state, __global const float *restrict displaced,
-                        __global const float2 *restrict foam, float kept, float spread, float since_s, int is_first,
-                        __global float2 *restrict next) {
+                        __global const float *restrict growth, __global const float *restrict foam, float kept, float spread,
+                        __global float *restrict next) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1), size = grid.size, mask = size - 1;
   const int place = row * size + column;
-  float fastest_m = 0.0f, shallowest_m = displaced[place], deepest_m = shallowest_m;
+  float fastest_mps = 0.0f, shallowest_m = displaced[place], deepest_m = shallowest_m;
   float around = 0.0f, steepest = 0.0f;
   for (int j = -1; j <= 1; ++j) {
     for (int i = -1; i <= 1; ++i) {
       const int other = ((row + j) & mask) * size + ((column + i) & mask);
-      fastest_m = fmax(fastest_m, fabs(displaced[other] - foam[other].y));
+      fastest_mps = fmax(fastest_mps, fabs(growth[other]));
       shallowest_m = fmin(shallowest_m, displaced[other]);
       deepest_m = fmax(deepest_m, displaced[other]);
       if ((i == 0) == (j == 0)) continue;
-      around += foam[other].x - foam[place].x;
+      around += foam[other] - foam[place];
       // Under a hull, heights are those of its hollow.
       const bool is_open = displaced[place] == 0.0f && displaced[other] == 0.0f;
       if (is_open) steepest = fmax(steepest, fabs(state[other].x - state[place].x) / grid.cell_m);
     }
   }
   const float hull_slope = (deepest_m - shallowest_m) / (2.0f * grid.cell_m);
-  const float speed_mps = is_first ? 0.0f : fastest_m / since_s / sqrt(1.0f + hull_slope * hull_slope);
+  const float speed_mps = fastest_mps / sqrt(1.0f + hull_slope * hull_slope);
   const float of_hulls = ramp(QUIET_MPS, TURBULENT_MPS, speed_mps);
   const float made = fmax(of_hulls, ramp(BREAKING_SLOPE, STEEPEST_SLOPE, steepest));
-  next[place] = (float2)(fmax(kept * (foam[place].x + spread * around), made), displaced[place]);
+  next[place] = fmax(kept * (foam[place] + spread * around), made);
 }
