@@ -45,7 +45,7 @@ std::string_view typed_for(const Parameter& row) {
 
 /// What the small scene of meshes does not take, and says so: it has no body that carries them.
 bool is_refused(const Parameter& row) {
-  return row.key == "mesh.aboard";
+  return row.key == "mesh.aboard" || row.key == "ocean.modes_file" || row.key == "body.hydrodynamics";
 }
 
 }  // namespace
