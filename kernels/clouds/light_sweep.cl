@@ -74,7 +74,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_swee
   const float metres = 1.0f / component(speed, axis);  // from plane to plane
   const float back_a = -component(way, axis_a) * metres, back_b = -component(way, axis_b) * metres;
   const int left_a = back_a < 0.0f ? -1 : 0, left_b = back_b < 0.0f ? -1 : 0;
-  const float share_a = back_a - (float)left_a, share_b = back_b - (float)left_b;
+  // Not back - (float)left: of the -1 of a condition Oclgrind 21.10 makes 1.
+  const float share_a = back_a < 0.0f ? 1.0f + back_a : back_a, share_b = back_b < 0.0f ? 1.0f + back_b : back_b;
   const bool is_rising = component(way, axis) > 0.0f;
   const int pitch = size_a + 2;
 
