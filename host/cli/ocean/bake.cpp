@@ -24,7 +24,8 @@ constexpr std::size_t waiting_frames = 1;
 class Bake {
  public:
   Bake(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
-       Progress& progress, const CancelToken& cancel, const std::vector<ocl::DeviceInfo>& devices)
+       Progress& progress, const CancelToken& cancel, const std::vector<ocl::DeviceInfo>& devices,
+       const scene::Scene& scene)
       : devices_(devices),
         sea_(sea),
         settings_(settings),
@@ -32,6 +33,7 @@ class Bake {
         writer_(writer),
         progress_(progress),
         cancel_(cancel),
+        scene_(scene),
         frames_(frames_in_share(settings.frames, settings.share)) {}
 
   BakeSummary run() {
@@ -96,7 +98,7 @@ class Bake {
         }
         if (!maker) {
           std::call_once(has_room_, [this] { require_host_room(settings_, sea_, devices_); });
-          maker.emplace(ocl::Device::open(info), sea_, settings_);
+          maker.emplace(ocl::Device::open(info), sea_, settings_, scene_);
         }
         if (!queue_.push(maker->make(frames_[index]))) {
           return;
@@ -138,6 +140,7 @@ class Bake {
   FrameWriter& writer_;
   Progress& progress_;
   const CancelToken& cancel_;
+  const scene::Scene& scene_;
   const std::vector<int> frames_;
   BoundedQueue<BakedFrame> queue_{waiting_frames};
   std::atomic<std::size_t> next_frame_{0};
@@ -153,8 +156,8 @@ class Bake {
 
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
                  const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
-                 Progress& progress, const CancelToken& cancel) {
-  return Bake(sea, settings, files, writer, progress, cancel, devices).run();
+                 Progress& progress, const CancelToken& cancel, const scene::Scene& scene) {
+  return Bake(sea, settings, files, writer, progress, cancel, devices, scene).run();
 }
 
 }  // namespace offing::cli

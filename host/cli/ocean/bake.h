@@ -23,6 +23,6 @@ struct BakeSummary {
 /// Error(cancelled) when stopped; frames finished by then stay.
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
                  const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
-                 Progress& progress, const CancelToken& cancel);
+                 Progress& progress, const CancelToken& cancel, const scene::Scene& scene = {});
 
 }  // namespace offing::cli

@@ -43,6 +43,7 @@ struct BakeArguments {
   std::string export_file;
   bool json = false;
   BakeSettings settings;  ///< of flags without a value
+  bool has_wakes = false;
   SettingOptions<BakeSettings> values;
 };
 
@@ -84,6 +85,14 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::Scene& s
     settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
   }
   require_maps(settings);
+  if (arguments.has_wakes) {
+    if (scene.ocean.wakes.empty()) {
+      throw Error(ErrorKind::bad_usage, "--wakes: expected a scene with [[ocean.wake]], found none",
+                  "name a scene file that has one, such as scenes/afloat.toml, or leave --wakes out");
+    }
+    for (const scene::WakeScene& wake : scene.ocean.wakes)
+      settings.wake_cells.push_back(wake.parameters.cells);
+  }
   return settings;
 }
 
@@ -210,9 +219,11 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
   warn_of_waves_beside(sea, energy, settings.gerstner);
-  warn_of_water_left_out(scene, "frames", WakeUse::left_out);
+  const bool has_wakes = !settings.wake_cells.empty();
+  warn_of_water_left_out(scene, "frames", has_wakes ? WakeUse::included : WakeUse::left_out);
 
-  const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
+  const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings),
+                                             has_wakes ? scene::shapes_sea_and_wakes : scene::shapes_sea);
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
   if (const std::filesystem::path file = arguments.export_file; files.will_write(file)) {
     require_distinct({{"-o", settings.folder / file.filename()}, {"--export-spectrum", file}});
@@ -227,7 +238,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const BakeSummary summary = [&] {
     const std::size_t count = frames_in_share(settings.frames, settings.share).size();
     Progress progress(static_cast<int>(count), "frames", options.verbosity);
-    return bake(devices, sea, settings, files, writer, progress, options.cancel);
+    return bake(devices, sea, settings, files, writer, progress, options.cancel, scene);
   }();
   if (settings.preview == PreviewUse::pictures) {
     write_contact_sheet(settings, files, writer.contact_sheet());
@@ -272,6 +283,10 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
              "and holds the Jacobian and foam of the whole sea\n(default: list Gerstner waves and swells in "
              "the header, leave raindrops out)",
              [&settings] { settings.gerstner = GerstnerUse::included; });
+  add_switch("--wakes",
+             "also write each [[ocean.wake]] as maps of its own (ocean.w0...), with its place in the header\n"
+             "channels: height, slope, foam, and rise (its rate) if velocity is asked for",
+             [arguments = arguments.get()] { arguments->has_wakes = true; });
   add("--export-spectrum", arguments->export_file, "FILE",
       "also write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
@@ -293,7 +308,8 @@ void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
   add_global_options(*command, options, DeviceUse::any_number);
   command->footer(R"(
-ocean.json in the folder describes the files. Frames show the open sea, without wakes, bodies and shores.
+ocean.json in the folder describes the files. Cascades show the open sea, without wakes, bodies and shores;
+--wakes adds what hulls and rain do to the water of wake windows.
 
 Examples:
   offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out

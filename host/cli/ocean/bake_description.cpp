@@ -78,6 +78,24 @@ Json cascades_json(const scene::Sea& sea, const BakeSettings& settings, const sc
   return json;
 }
 
+Json wakes_json(const scene::Scene& scene, const scene::Sea& sea, const BakeSettings& settings) {
+  const std::size_t cascades = sea.parameters.cascades.size();
+  const std::vector<BakedMap> maps = baked_maps(settings, cascades);
+  Json json = Json::array();
+  for (std::size_t i = 0; i < settings.wake_cells.size(); ++i) {
+    const double length_m = scene.ocean.wakes[i].parameters.length_m;
+    json.push_back(
+        {{"length_m", length_m},
+         {"texel_m", length_m / settings.wake_cells[i]},
+         {"columns", settings.wake_cells[i]},
+         {"rows", settings.wake_cells[i]},
+         {"first_texel_m", fmt::format("attributes origin_x_m and {} of each file",
+                                       settings.axes == MapAxes::z_up ? "origin_y_m" : "origin_z_m")},
+         {"maps", maps_json(settings, maps, cascades + i)}});
+  }
+  return json;
+}
+
 Json gerstner_json(const scene::Sea& sea, const BakeSettings& settings) {
   const ocean::GerstnerInstant start(sea.parameters.gerstner_waves, 0.0);
   const bool is_z_up = settings.axes == MapAxes::z_up;
@@ -100,9 +118,9 @@ Json mesh_json(MeshFormat format) {
   return format == MeshFormat::obj ? "ocean.%04d.obj" : "ocean.%04d.ply";
 }
 
-Json left_out_json(const scene::Scene& scene, const scene::Sea& sea, GerstnerUse use) {
+Json left_out_json(const scene::Scene& scene, const scene::Sea& sea, GerstnerUse use, WakeUse wakes) {
   Json json = Json::array();
-  for (const auto& [part, what] : water_left_out(scene, WakeUse::left_out))
+  for (const auto& [part, what] : water_left_out(scene, wakes))
     json.push_back(fmt::format("{}: {}", part, what));
   if (use == GerstnerUse::included) return json;
   if (!sea.parameters.gerstner_waves.waves.empty()) json.push_back("the waves listed in gerstner");
@@ -144,7 +162,9 @@ nlohmann::ordered_json bake_description(const scene::Scene& scene, const scene::
           {"cascades", cascades_json(sea, settings, energy)},
           {"mesh", mesh_json(settings.mesh)},
           {"gerstner", gerstner_json(sea, settings)},
-          {"left_out", left_out_json(scene, sea, settings.gerstner)}};
+          {"wakes", wakes_json(scene, sea, settings)},
+          {"left_out", left_out_json(scene, sea, settings.gerstner,
+                                     settings.wake_cells.empty() ? WakeUse::left_out : WakeUse::included)}};
 }
 
 }  // namespace offing::cli

@@ -60,6 +60,9 @@ std::string canonical_text(const BakeSettings& settings) {
   if (settings.has(ChannelGroup::velocity)) {
     text += fmt::format(" velocity depth {:.17g}", settings.velocity_depth_m);
   }
+  if (!settings.wake_cells.empty()) {
+    text += fmt::format(" wakes {}", fmt::join(settings.wake_cells, " "));
+  }
   return text;
 }
 

@@ -42,6 +42,7 @@ struct BakeSettings {
   PreviewUse preview = PreviewUse::none;
   GerstnerUse gerstner = GerstnerUse::listed;
   Existing existing = Existing::keep;
+  std::vector<int> wake_cells;  ///< sizes of the wake windows that are written; none: they are left out
 
   bool has(ChannelGroup group) const { return channels.test(static_cast<std::size_t>(group)); }
   double time_s(int frame) const { return frame / frames_per_second; }

@@ -24,10 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// All that any bake may have written of a cascade; more cascades than any had: what a single digit counts.
+/// All that any bake may have written of a cascade or a wake window; more of them than any had: what a single
+/// digit counts.
 std::vector<BakedMap> all_maps() {
   constexpr std::size_t most_cascades = 10;
   BakeSettings settings;
+  settings.wake_cells.assign(most_cascades, 1);
   settings.channels.set();
   std::vector<BakedMap> all;
   for (const FileLayout layout : {FileLayout::channels, FileLayout::combined, FileLayout::rgb}) {
@@ -109,7 +111,7 @@ std::string values_hash(std::vector<ImageChannel> channels) {
 }
 
 FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
-  static const std::regex exr_name(R"(ocean(\.c[0-9](_[a-z_]+)?)?\.[0-9]{4,}\.exr)");
+  static const std::regex exr_name(R"(ocean(\.[cw][0-9](_[a-z_]+)?)?\.[0-9]{4,}\.exr)");
   static const std::regex product_name(R"(ocean\.[0-9]{4,}\.(obj|ply|png)|contact_sheet\.png|ocean\.json)");
   Listing listing;
   std::error_code error;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -115,8 +116,13 @@ std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t casc
   const std::size_t with_gerstner = settings.gerstner == GerstnerUse::included ? 1 : 0;
   const std::size_t normal = settings.has(ChannelGroup::normal) ? 3 : 0;
   const std::size_t mesh = settings.mesh == MeshFormat::none ? 0 : 6;
-  return texels * sizeof(float) *
-         ((cascades + with_gerstner) * (surface + foam + velocity) + cascades * normal + mesh);
+  std::size_t wake_texels = 0;
+  for (const int cells : settings.wake_cells)
+    wake_texels += static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells);
+  const std::size_t wake = 5;
+  return wake_texels * wake * sizeof(float) +
+         texels * sizeof(float) *
+             ((cascades + with_gerstner) * (surface + foam + velocity) + cascades * normal + mesh);
 }
 
 std::size_t sea_bytes(const BakeSettings& settings, const scene::Sea& sea) {
@@ -155,11 +161,34 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
       "use a smaller --size, fewer --cascades, or one device with --device");
 }
 
-FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
+FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings,
+                       const scene::Scene& scene)
     : settings_(settings), ocean_(device, sea.spectrum, baked_parameters(sea, settings.gerstner)) {
   if (settings.gerstner == GerstnerUse::included && sea.has_gerstner_waves()) {
     gerstner_.emplace(device, sea.parameters);
   }
+  next_wake_frame_ = settings.frames.first;
+  if (!settings.wake_cells.empty()) wakes_ = WakeHistory::of(device, scene, sea);
+}
+
+/// A wake without bodies depends on when it was first asked for, and leaps begin it anew: it goes through all
+/// frames from the first, so that every share of them and every resumed bake finds the same.
+std::vector<BakedFrame::Wake> FrameMaker::make_wakes(int frame) {
+  std::vector<BakedFrame::Wake> wakes;
+  if (frame < next_wake_frame_) next_wake_frame_ = settings_.frames.first;
+  while (next_wake_frame_ <= frame) wakes_->at(settings_.time_s(next_wake_frame_++));
+  for (ocean::WakeFields& window : wakes_->maps()->read_fields()) {
+    BakedFrame::Wake& wake = wakes.emplace_back();
+    wake.origin_x_m = window.origin_x_m;
+    wake.origin_z_m = window.origin_z_m;
+    wake.cell_m = window.cell_m;
+    wake.fields.surface.displacement_y = std::move(window.height_m);
+    wake.fields.surface.slope_x = std::move(window.slope_x);
+    wake.fields.surface.slope_z = std::move(window.slope_z);
+    wake.fields.velocity.y = std::move(window.rise_mps);
+    wake.fields.foam = std::move(window.foam);
+  }
+  return wakes;
 }
 
 BakedFrame FrameMaker::make(int frame) {
@@ -185,6 +214,7 @@ BakedFrame FrameMaker::make(int frame) {
   for (std::size_t i = 0; settings_.has(ChannelGroup::normal) && i < baked.cascades.size(); ++i) {
     baked.written(i).normal = normals_of(baked.written(i).surface);
   }
+  if (wakes_) baked.wakes = make_wakes(frame);
   if (settings_.mesh != MeshFormat::none) {
     baked.mesh = make_mesh();
   }

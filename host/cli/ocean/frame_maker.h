@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/cli/ocean/bake_settings.h"
+#include "host/cli/ocean/wake_history.h"
 #include "host/io/meshes/grid_mesh.h"
 #include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/gerstner_surface.h"
@@ -28,15 +29,22 @@ struct BakedFrame {
     ocean::VelocityFields velocity;  ///< at the settings' depth, or empty
     NormalFields normal;             ///< of the displaced surface of these fields alone, or empty
   };
+  /// A wake window: of its fields height is that of displacement, and the rate of height that of velocity.
+  struct Wake {
+    double origin_x_m = 0.0, origin_z_m = 0.0, cell_m = 0.0;
+    CascadeFields fields;
+  };
   int number = 0;
   double time_s = 0.0;
   std::vector<CascadeFields> cascades;
+  std::vector<Wake> wakes;
   /// The first cascade with the Gerstner waves, where they are to be included (GerstnerLayer).
   std::optional<CascadeFields> first_with_gerstner = {};
   GridMesh mesh;  ///< all cascades together, and included Gerstner waves, over the longest patch; or empty
 
-  /// What is written of a cascade.
+  /// What is written of a cascade, or of a wake window, which come after all cascades.
   CascadeFields& written(std::size_t cascade) {
+    if (cascade >= cascades.size()) return wakes[cascade - cascades.size()].fields;
     return cascade == 0 && first_with_gerstner ? *first_with_gerstner : cascades[cascade];
   }
 };
@@ -78,17 +86,21 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
 /// Simulates frames on one device; confined to one thread.
 class FrameMaker {
  public:
-  /// Throws what Ocean throws.
-  FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings);
+  /// Wakes are those of `scene`, where the settings ask for them. Throws what Ocean and WakeHistory throw.
+  FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings,
+             const scene::Scene& scene = {});
 
   BakedFrame make(int frame);
 
  private:
   GridMesh make_mesh();
+  std::vector<BakedFrame::Wake> make_wakes(int frame);
 
   const BakeSettings& settings_;
   ocean::Ocean ocean_;
   std::optional<GerstnerLayer> gerstner_;  // where ocean_ has such waves
+  std::optional<WakeHistory> wakes_;       // where they are written
+  int next_wake_frame_ = 0;
 };
 
 }  // namespace offing::cli

@@ -75,13 +75,27 @@ std::vector<MapKind> map_kinds(MapAxes axes) {
   };
 }
 
-BakedMap map_of(const MapKind& kind, FileLayout layout, std::size_t cascade) {
+/// Of a wake window; `velocity` is that of its surface, upward.
+std::vector<MapKind> wake_kinds(MapAxes axes) {
+  using enum ChannelGroup;
+  const std::string second = axes == MapAxes::z_up ? "Y" : "Z";
+  return {{displacement, "height", "m", {{"", surface_values<&Surface::displacement_y>}}},
+          {slope,
+           "slope",
+           "",
+           {{"X", surface_values<&Surface::slope_x>}, {second, surface_values<&Surface::slope_z>}}},
+          {velocity, "rise", "m/s", {{"", velocity_values<&ocean::VelocityFields::y>}}},
+          {foam, "foam", "", {{"", foam_values}}}};
+}
+
+/// In `file`, its channels in the layer of this name.
+BakedMap map_of(const MapKind& kind, FileLayout layout, std::size_t cascade, std::string file,
+                const std::string& layer) {
   constexpr std::array rgb = {"R", "G", "B"};
-  const bool is_rgb = layout == FileLayout::rgb, is_combined = layout == FileLayout::combined;
-  BakedMap map{.name = kind.name, .unit = kind.unit, .cascade = cascade, .file = "ocean", .channels = {}};
-  if (!is_combined) map.file += fmt::format(".c{}", cascade);
+  const bool is_rgb = layout == FileLayout::rgb;
+  BakedMap map{
+      .name = kind.name, .unit = kind.unit, .cascade = cascade, .file = std::move(file), .channels = {}};
   if (is_rgb) map.file += fmt::format("_{}", kind.name);
-  const std::string layer = is_combined ? fmt::format("c{}.", cascade) : "";
   for (std::size_t i = 0; i < kind.components.size(); ++i) {
     const Component& component = kind.components[i];
     std::string name =
@@ -109,9 +123,22 @@ void turn_vectors(std::vector<float>& vectors) {
 std::vector<BakedMap> baked_maps(const BakeSettings& settings, std::size_t cascades) {
   const std::vector<MapKind> kinds = map_kinds(settings.axes);
   std::vector<BakedMap> maps;
+  const bool is_combined = settings.layout == FileLayout::combined;
   for (std::size_t cascade = 0; cascade < cascades; ++cascade) {
     for (const MapKind& kind : kinds) {
-      if (settings.has(kind.group)) maps.push_back(map_of(kind, settings.layout, cascade));
+      if (!settings.has(kind.group)) continue;
+      maps.push_back(map_of(kind, settings.layout, cascade,
+                            is_combined ? "ocean" : fmt::format("ocean.c{}", cascade),
+                            is_combined ? fmt::format("c{}.", cascade) : ""));
+    }
+  }
+  for (std::size_t window = 0; window < settings.wake_cells.size(); ++window) {
+    for (const MapKind& kind : wake_kinds(settings.axes)) {
+      const bool has_file = settings.layout != FileLayout::rgb || kind.components.size() == 1;
+      if (settings.has(kind.group) && has_file) {
+        maps.push_back(
+            map_of(kind, settings.layout, cascades + window, fmt::format("ocean.w{}", window), ""));
+      }
     }
   }
   return maps;
@@ -124,7 +151,7 @@ void require_maps(const BakeSettings& settings) {
 }
 
 void turn_z_up(BakedFrame& frame) {
-  for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+  for (std::size_t i = 0; i < frame.cascades.size() + frame.wakes.size(); ++i) {
     Fields& fields = frame.written(i);
     for (std::vector<float>* values : {&fields.surface.displacement_z, &fields.surface.slope_z,
                                        &fields.surface.gradient_xz, &fields.velocity.z, &fields.normal.z}) {

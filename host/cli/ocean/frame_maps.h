@@ -16,14 +16,14 @@ struct BakedMap {
     std::string name;  ///< in the file
     const std::vector<float>& (*values)(const BakedFrame::CascadeFields&);
   };
-  std::string_view name;  ///< "displacement"
-  std::string_view unit;  ///< "m", "m/s"; empty: dimensionless
-  std::size_t cascade = 0;
+  std::string_view name;          ///< "displacement"
+  std::string_view unit;          ///< "m", "m/s"; empty: dimensionless
+  std::size_t cascade = 0;        ///< those of wake windows come after all cascades
   std::string file;               ///< what its file's name begins with: "ocean.c0", "ocean.c0_displacement"
   std::vector<Channel> channels;  ///< of a vector: its x, y and z in the axes of the files
 };
 
-/// All maps of a bake: cascade by cascade, those of one file together.
+/// All maps of a bake: cascade by cascade, then wake window by window, those of one file together.
 std::vector<BakedMap> baked_maps(const BakeSettings& settings, std::size_t cascades);
 
 /// Throws Error(bad_usage) for groups that the layout has no files for.

@@ -57,14 +57,21 @@ void FrameWriter::write_fields(BakedFrame& frame) {
 
 void FrameWriter::write_file(BakedFrame& frame, std::span<const BakedMap> maps) {
   ExrImage image = image_of(frame);
-  image.attributes.emplace_back("tileable", maps.front().cascade == 0 && frame.first_with_gerstner ? 0 : 1);
+  const bool is_wake = maps.front().cascade >= frame.cascades.size();
+  const bool is_whole_sea = maps.front().cascade == 0 && frame.first_with_gerstner;
+  image.attributes.emplace_back("tileable", is_wake || is_whole_sea ? 0 : 1);
   std::deque<std::vector<float>> rounded;  // what the channels of 16-bit floats refer to
   std::optional<std::size_t> cascade;
   for (const BakedMap& map : maps) {
     if (cascade != map.cascade) {
       cascade = map.cascade;
-      add_cascade_attributes(image, *cascade,
-                             settings_.layout == FileLayout::combined ? fmt::format("c{}.", *cascade) : "");
+      if (is_wake) {
+        set_wake_place(image, frame.wakes[*cascade - frame.cascades.size()],
+                       settings_.wake_cells[*cascade - frame.cascades.size()]);
+      } else {
+        add_cascade_attributes(image, *cascade,
+                               settings_.layout == FileLayout::combined ? fmt::format("c{}.", *cascade) : "");
+      }
     }
     for (const BakedMap::Channel& channel : map.channels) {
       std::span<const float> values = channel.values(frame.written(*cascade));
@@ -144,6 +151,16 @@ void FrameWriter::add_gerstner_attributes(ExrImage& image, double time_s) const 
   image.attributes.emplace_back("gerstner_columns",
                                 fmt::format("A_m kx_radpm {}_radpm phase_rad", is_z_up ? "ky" : "kz"));
   image.attributes.emplace_back("gerstner_choppiness", instant.horizontal_scale());
+}
+
+/// Its first texel is at this place; texels go on along x and to the south.
+void FrameWriter::set_wake_place(ExrImage& image, const BakedFrame::Wake& wake, int cells) const {
+  image.width = image.height = cells;
+  const bool is_z_up = settings_.axes == MapAxes::z_up;
+  image.attributes.emplace_back("texel_m", wake.cell_m);
+  image.attributes.emplace_back("origin_x_m", wake.origin_x_m);
+  image.attributes.emplace_back(is_z_up ? "origin_y_m" : "origin_z_m",
+                                is_z_up ? -wake.origin_z_m : wake.origin_z_m);
 }
 
 void FrameWriter::add_cascade_attributes(ExrImage& image, std::size_t cascade,

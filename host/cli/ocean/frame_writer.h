@@ -49,6 +49,7 @@ class FrameWriter {
   std::vector<float> round_to_half(const BakedMap& map, std::span<const float> values);
   ExrImage image_of(const BakedFrame& frame) const;
   void add_gerstner_attributes(ExrImage& image, double time_s) const;
+  void set_wake_place(ExrImage& image, const BakedFrame::Wake& wake, int cells) const;
   void add_cascade_attributes(ExrImage& image, std::size_t cascade, const std::string& layer) const;
 
   const scene::Sea& sea_;

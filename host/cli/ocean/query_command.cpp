@@ -298,7 +298,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const std::string hash =
       scene::scene_hash(scene, sea,
                         fmt::format("query depth {:.17g} from {:.17g} accuracy {}", query.depth_m,
-                                    query.min_wavelength_m, static_cast<int>(query.accuracy)));
+                                    query.min_wavelength_m, static_cast<int>(query.accuracy)),
+                        scene.ocean.wakes.empty() ? scene::shapes_sea : scene::shapes_sea_and_wakes);
   PointSource points(arguments, times);
   AnswerSink sink(arguments, times,
                   {.points = arguments.writes_netcdf() ? points.count() : 0,

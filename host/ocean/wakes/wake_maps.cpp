@@ -92,6 +92,23 @@ std::vector<WakeMaps::Instant> WakeMaps::read() const {
   return instants;
 }
 
+std::vector<WakeFields> WakeMaps::read_fields() const {
+  std::vector<WakeFields> windows;
+  for (const Instant& instant : read()) {
+    std::vector<float> shown(instant.map.size());
+    shown_.read(shown, 4 * static_cast<std::size_t>(instant.layer.first_texel));
+    WakeGrid grid{};
+    grid.size = instant.layer.size;
+    grid.first_column = instant.layer.first_column;
+    grid.first_row = instant.layer.first_row;
+    windows.push_back(unrolled_wake(grid, instant.map, shown));
+    windows.back().origin_x_m = instant.origin_x_m;
+    windows.back().origin_z_m = instant.origin_z_m;
+    windows.back().cell_m = instant.cell_m;
+  }
+  return windows;
+}
+
 std::array<double, 4> WakeMaps::Instant::at(double x_m, double z_m) const {
   const double column = (x_m - origin_x_m) / cell_m, row = (z_m - origin_z_m) / cell_m;
   const int last = layer.size - 1;

@@ -39,6 +39,8 @@ class WakeMaps {
     std::array<double, 4> at(double x_m, double z_m) const;
   };
   std::vector<Instant> read() const;
+  /// The windows row by row from their corners, with their foam.
+  std::vector<WakeFields> read_fields() const;
 
  private:
   struct Place {

@@ -450,28 +450,32 @@ void WakeWindow::show(double time_s, const ocl::Buffer<float>& map, ocl::Buffer<
   shown_.launch(whole(), grid_, map, foam_, static_cast<float>(left), blend_, static_cast<int>(first), shown);
 }
 
+WakeFields unrolled_wake(const WakeGrid& grid, std::span<const float> map, std::span<const float> shown) {
+  WakeFields fields;
+  const int mask = grid.size - 1;
+  for (int row = 0; row < grid.size; ++row) {
+    for (int column = 0; column < grid.size; ++column) {
+      const auto texel =
+          4 * (static_cast<std::size_t>((grid.first_row + row) & mask) * static_cast<std::size_t>(grid.size) +
+               static_cast<std::size_t>((grid.first_column + column) & mask));
+      fields.height_m.push_back(map[texel]);
+      fields.slope_x.push_back(map[texel + 1]);
+      fields.slope_z.push_back(map[texel + 2]);
+      fields.rise_mps.push_back(map[texel + 3]);
+      fields.foam.push_back(shown[texel + 3]);
+    }
+  }
+  return fields;
+}
+
 WakeFields WakeWindow::read(double time_s) {
   ocl::Buffer<float> map(device_, 4 * texels(), "wake map"), shown(device_, 4 * texels(), "wake shown");
   draw(time_s, map);
   show(time_s, map, shown);
-  WakeFields fields;
+  WakeFields fields = unrolled_wake(grid_, map.read(), shown.read());
   fields.cell_m = parameters_.cell_m();
   fields.origin_x_m = grid_.first_column * fields.cell_m;
   fields.origin_z_m = grid_.first_row * fields.cell_m;
-  const auto texels_of = map.map(), shown_of = shown.map();
-  const int mask = parameters_.cells - 1;
-  for (int row = 0; row < parameters_.cells; ++row) {
-    for (int column = 0; column < parameters_.cells; ++column) {
-      const auto texel = 4 * (static_cast<std::size_t>((grid_.first_row + row) & mask) *
-                                  static_cast<std::size_t>(parameters_.cells) +
-                              static_cast<std::size_t>((grid_.first_column + column) & mask));
-      fields.height_m.push_back(texels_of[texel]);
-      fields.slope_x.push_back(texels_of[texel + 1]);
-      fields.slope_z.push_back(texels_of[texel + 2]);
-      fields.rise_mps.push_back(texels_of[texel + 3]);
-      fields.foam.push_back(shown_of[texel + 3]);
-    }
-  }
   return fields;
 }
 

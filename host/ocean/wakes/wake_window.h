@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/fft/fft2d.h"
@@ -70,6 +71,10 @@ struct WakeFields {
   std::vector<float> height_m, slope_x, slope_z, rise_mps;
   std::vector<float> foam;  ///< 0 ... 1
 };
+
+/// A map of WakeWindow::draw() and what show() makes of it, row by row from the corner of the grid; without
+/// place.
+WakeFields unrolled_wake(const WakeGrid& grid, std::span<const float> map, std::span<const float> shown);
 
 /// Its state, laid out alike: height, m, and the second field of its method, m. The sum of both squares is
 /// twice the energy over density, gravity and a cell's area (of `dispersive`).

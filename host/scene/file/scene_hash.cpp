@@ -23,16 +23,24 @@ void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::
 
 }  // namespace
 
-std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view output_settings) {
+std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view output_settings, Affects what) {
   const ocean::Wind wind = wind_of_sea(scene);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "offing {}\noutput {}\n", version(), output_settings);
   for (const Parameter& row : parameter_table()) {
-    if (!share_a_bit(row.affects, Affects::baked)) continue;
+    if (!share_a_bit(row.affects, what)) continue;
     const std::string value = row.group == ParameterGroup::wind ? text_in(&wind, row, Digits::exact)
                                                                 : value_text(scene, row, Digits::exact);
     fmt::format_to(out, "{} = {}\n", row.key, value);
+  }
+  for (const auto& [key, track] : scene.tracks) {
+    const Parameter* row = find_parameter(key.key);
+    if (row == nullptr || !share_a_bit(row->affects, what)) continue;
+    fmt::format_to(out, "{} {} {} {} keys {}", key.key, key.element.outer, key.element.inner, key.number,
+                   static_cast<int>(track.interpolation));
+    for (const Keyframe& each : track.keys) fmt::format_to(out, " {:.17g} {:.17g}", each.time_s, each.value);
+    text.push_back('\n');
   }
   // A wind that was asked for sets the wave age of spreading where none makes the waves; the default one does
   // not.

@@ -338,6 +338,81 @@ TEST_F(Bake, ExportsOnceTheFolderIsThere) {
   EXPECT_FALSE(std::filesystem::exists(folder("b.spec")));
 }
 
+// Fails if windows of wakes are not those that queries answer from, or lie elsewhere: at texels of the
+// window, heights with and without it in the scene differ by the map's, to the float's digits of 10 cm waves
+// on metres.
+TEST_F(Bake, WakeWindowsHaveTheirPlace) {
+  const std::string sea =
+      "version = 1\n[ocean]\nsize = 32\nhs_m = 0.3\ntp_s = 4\nchoppiness = 0\n[time]\nfps = 8\n";
+  std::ofstream(folder("open.toml")) << sea;
+  std::ofstream(folder("wake.toml"))
+      << sea << "[[ocean.wake]]\nlength_m = 64\ncells = 64\nx_m = 100\nz_m = -30\nhistory_s = 4\n"
+      << "[[ocean.wake.hull]]\nlength_m = 10\nx_m = 100\nz_m = -30\nspeed_mps = 3\n";
+  const auto bake_scene = [&](const char* name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"ocean",   "bake", folder("wake.toml").string(), "--frames", "4:5",
+                                          "--wakes", "-o",   folder(name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_offing(arguments);
+  };
+  ASSERT_EQ(bake_scene("out", {"--velocity"}).exit_code, 0);
+  const ExrContent window = read_exr(folder("out") / "ocean.w0.0005.exr");
+  ASSERT_EQ(window.width, 64);
+  const double x_m = attribute<double>(window, "origin_x_m"), z_m = attribute<double>(window, "origin_z_m");
+  EXPECT_EQ(attribute<double>(window, "texel_m"), 1.0);
+  EXPECT_EQ(attribute<double>(window, "time_s"), 0.625);
+  double highest_m = 0.0;
+  std::ofstream points(folder("points.csv"));
+  for (int row = 4; row < 60; row += 5) {
+    for (int column = 4; column < 60; column += 5) points << x_m + column << ',' << z_m + row << '\n';
+  }
+  points.close();
+  const auto heights_m = [&](const char* scene) {
+    const ProgramResult result =
+        run_offing({"ocean", "query", folder(scene).string(), "--points", folder("points.csv").string(),
+                    "--times", "0.5:0.625:0.125", "--exact"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    std::vector<double> heights;
+    std::istringstream lines(result.output);
+    std::string line;
+    for (std::getline(lines, line); std::getline(lines, line);) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (int i = 0; i < 4; ++i) std::getline(cells, cell, ',');
+      heights.push_back(std::stod(cell));
+    }
+    heights.erase(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2));
+    return heights;
+  };
+  const std::vector<double> with = heights_m("wake.toml"), without = heights_m("open.toml");
+  ASSERT_EQ(with.size(), 144u);
+  ASSERT_EQ(without.size(), 144u);
+  std::size_t point = 0;
+  for (std::size_t row = 4; row < 60; row += 5) {
+    for (std::size_t column = 4; column < 60; column += 5, ++point) {
+      const double height_m = window.channel("height")[64 * row + column];
+      EXPECT_NEAR(with[point] - without[point], height_m, 1e-5) << row << ' ' << column;
+      highest_m = std::max(highest_m, std::abs(height_m));
+    }
+  }
+  EXPECT_GT(highest_m, 0.01);
+  EXPECT_THAT(window.channel("rise"), testing::SizeIs(64u * 64u));
+
+  // Shares of the frames hold the same wake.
+  ASSERT_EQ(bake_scene("share", {"--velocity", "--chunk", "2/2"}).exit_code, 0);
+  EXPECT_EQ(read_exr(folder("share") / "ocean.w0.0005.exr").channel("height"), window.channel("height"));
+
+  ASSERT_EQ(bake_scene("rgb", {"--layout", "rgb", "--axes", "z-up"}).exit_code, 0);
+  const ExrContent height = read_exr(folder("rgb") / "ocean.w0_height.0005.exr");
+  EXPECT_EQ(height.channel("Y"), window.channel("height"));
+  EXPECT_EQ(attribute<double>(height, "origin_y_m"), -z_m);
+  const auto description = nlohmann::json::parse(std::ifstream(folder("rgb") / "ocean.json"));
+  EXPECT_EQ(description["wakes"][0]["texel_m"], 1.0);
+  EXPECT_EQ(description["wakes"][0]["maps"]["foam"]["file"], "ocean.w0_foam.%04d.exr");
+  EXPECT_TRUE(description["left_out"].empty());
+  EXPECT_THAT(run_offing(command("none", {"--frames", "0:0", "--wakes"})).errors,
+              testing::HasSubstr("--wakes: expected a scene with [[ocean.wake]], found none"));
+}
+
 // Fails if a bake that refuses an exported file of another sea leaves a folder behind.
 TEST_F(Bake, RefusesAnOtherExportAtOnce) {
   std::ofstream(folder("b.spec")) << "another";

@@ -22,6 +22,7 @@ BAKES = {
     "usual": [],
     "combined": ["--layout", "combined", "--half", "--loop-period-s", "2", "--depth-m", "30", "--mesh", "ply"],
     "rgb": ["--layout", "rgb", "--axes", "z-up", "--velocity", *GERSTNER],
+    "wakes": ["--wakes", "--velocity", "--gerstner-count", "0"],
     "whole": ["--channels", "displacement,normal", "--include-gerstner", *GERSTNER],
 }
 
@@ -31,11 +32,14 @@ jsonschema.Draft202012Validator.check_schema(schema)
 validator = jsonschema.Draft202012Validator(schema)
 for name, flags in BAKES.items():
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([offing, "ocean", "bake", *SEA, *flags, "-o", folder], check=True, stderr=subprocess.DEVNULL)
+        scene = pathlib.Path(folder) / "wake.toml"
+        scene.write_text("version = 1\n[ocean]\n[[ocean.wake]]\ncells = 16\nhistory_s = 0.5\n")
+        subprocess.run([offing, "ocean", "bake", scene, *SEA, *flags, "-o", folder], check=True, stderr=subprocess.DEVNULL)
         description = json.loads((pathlib.Path(folder) / "ocean.json").read_text())
         validator.validate(description)
-        for cascade in description["cascades"]:
-            for a_map in cascade["maps"].values():
+        assert len(description["wakes"]) == ("--wakes" in flags), name
+        for place in description["cascades"] + description["wakes"]:
+            for a_map in place["maps"].values():
                 assert (pathlib.Path(folder) / (a_map["file"] % 3)).exists(), (name, a_map)
     for field in description:
         without = copy.deepcopy(description)
