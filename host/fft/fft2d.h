@@ -24,6 +24,10 @@ class Fft2d {
   /// transforms (see sound_family.h).
   Fft2d(const ocl::Device& device, int size, int batch, Direction direction);
 
+  /// The family of kernels that computes right transforms on this device (sound_family.h), for passes that
+  /// callers join their own work to.
+  static ocl::KernelShape family_for(const ocl::Device& device, int size, Direction direction);
+
   int size() const { return size_; }
   /// Floats that an input or output buffer must hold: batch * n * n * 2.
   std::size_t float_count() const;
@@ -33,7 +37,6 @@ class Fft2d {
 
  private:
   Fft2d(const ocl::Device& device, int size, int batch, Direction direction, ocl::KernelShape family);
-  static ocl::KernelShape family_for(const ocl::Device& device, int size, Direction direction);
 
   int size_;
   int batch_;

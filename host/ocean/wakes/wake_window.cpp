@@ -231,7 +231,9 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   map_ = kernel("ocean/wakes/wake_map.cl", "wake_map");
   foam_step_ = kernel("ocean/wakes/wake_foam.cl", "wake_foam");
   shown_ = kernel("ocean/wakes/wake_shown.cl", "wake_shown");
-  const WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
+  WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
+  // Twice: see ocean/wakes/wake_settle_rows.cl.
+  border.kept.insert(border.kept.end(), border.kept.begin(), border.kept.begin() + parameters_.cells);
   kept_ = ocl::Buffer<float>(device, border.kept, "wake border");
   blend_ = ocl::Buffer<float>(device, border.blend, "wake blend");
   state_ = ocl::Buffer<float>(device, 2 * texels(), "wake state");
@@ -247,14 +249,11 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
     differences_ = kernel("ocean/wakes/wake_differences.cl", "wake_differences");
   } else {
     press_ = kernel("ocean/wakes/wake_press.cl", "wake_press");
-    turn_ = kernel("ocean/wakes/wake_turn.cl", "wake_turn");
-    settle_ = kernel("ocean/wakes/wake_settle.cl", "wake_settle");
     spectrum_ = kernel("ocean/wakes/wake_spectrum.cl", "wake_spectrum");
     forward_.emplace(device, parameters_.cells, 1, fft::Direction::forward);
-    inverse_.emplace(device, parameters_.cells, 1, fft::Direction::inverse);
     fields_inverse_.emplace(device, parameters_.cells, 2, fft::Direction::inverse);
     const ModeTables tables = mode_tables(parameters_);
-    turn_table_ = ocl::Buffer<float>(device, tables.turn, "turns of modes");
+    dispersive_.emplace(device, parameters_.cells, tables.turn);
     omega_ = ocl::Buffer<float>(device, tables.omega, "frequencies of modes");
   }
   reset(0.0, {});
@@ -394,16 +393,8 @@ void WakeWindow::step(const ForcingAt& forcing_at, double middle_s, const AddDis
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();
   } else {
-    advance_dispersive();
+    dispersive_->advance(grid_, displaced_, kept_, state_);
   }
-}
-
-void WakeWindow::advance_dispersive() {
-  press_.launch({{texels()}}, state_, displaced_, next_);
-  forward_->transform(next_, next_);
-  turn_.launch({{texels()}}, turn_table_, next_);
-  inverse_->transform(next_, next_);
-  settle_.launch(whole(), grid_, next_, displaced_, kept_, state_);
 }
 
 void WakeWindow::advance_verlet() {

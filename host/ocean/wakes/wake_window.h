@@ -9,6 +9,7 @@
 #include "host/fft/fft2d.h"
 #include "host/ocean/query/water_query.h"
 #include "host/ocean/spectrum/dispersion.h"
+#include "host/ocean/wakes/wake_step.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 #include "kernels/shared/wake.h"
@@ -152,7 +153,6 @@ class WakeWindow {
   void displace(const std::vector<WakeHull>& hulls);
   void rain();
   void make_foam(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_growth);
-  void advance_dispersive();
   void advance_verlet();
   ocl::LaunchShape whole() const;
   std::size_t texels() const;
@@ -163,10 +163,11 @@ class WakeWindow {
   float drop_m_;  // that a drop presses, while a step lasts
   WakeGrid grid_{};
   std::int64_t step_ = 0;
-  std::optional<fft::Fft2d> forward_, inverse_, fields_inverse_;
-  ocl::Kernel scroll_, rain_, hollows_, displace_, press_, turn_, settle_, verlet_, spectrum_, differences_,
-      map_, foam_step_, shown_;
-  ocl::Buffer<float> kept_, blend_, turn_table_, omega_;
+  std::optional<WakeStep> dispersive_;
+  std::optional<fft::Fft2d> forward_, fields_inverse_;
+  ocl::Kernel scroll_, rain_, hollows_, displace_, press_, verlet_, spectrum_, differences_, map_, foam_step_,
+      shown_;
+  ocl::Buffer<float> kept_, blend_, omega_;
   ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
   ocl::Buffer<float> foam_, next_foam_;           // [n][n]
   ocl::Buffer<float> growth_;                     // [n][n] m/s, of what hulls displace
