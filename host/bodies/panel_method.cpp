@@ -362,7 +362,9 @@ std::pair<std::size_t, double> place_in(const std::vector<double>& values, doubl
 /// Calls add(index, weight) for the up to 4 frequencies of a cubic (Catmull & Rom 1974, for uneven places).
 template <typename Add>
 void weigh(const std::vector<double>& x, double at, const Add& add) {
-  const auto [i, u] = place_in(x, at);
+  const auto place = place_in(x, at);
+  const std::size_t i = place.first;
+  const double u = place.second;
   if (x.size() == 1 || u == 0.0) return add(i, 1.0);
   if (u == 1.0) return add(i + 1, 1.0);
   const double h = x[i + 1] - x[i];

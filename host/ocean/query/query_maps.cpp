@@ -74,7 +74,6 @@ int query_map_size(double most_cycles) {
 QueryMaps::QueryMaps(const ocl::Device& device, const WaveModes& modes, std::span<const Cascade> cascades,
                      int size, int map_fields)
     : cascades_(cascades),
-      map_fields_(map_fields),
       transform_(device,
                  {.size = size,
                   .columns = std::min(modes.columns(), size / 2),

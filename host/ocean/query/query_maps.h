@@ -57,7 +57,6 @@ class QueryMaps {
   void set_scales(const WaveModes& modes, const ModeFields::Place& place, const Sea& sea);
 
   std::span<const Cascade> cascades_;
-  int map_fields_;
   ModeTransform transform_;
   std::vector<FilteredVariance> variances_;  // of each cascade
   std::optional<ModeFields::Place> held_, scaled_;
