@@ -17,17 +17,24 @@ glm::dquat turn_of_heading(double heading_rad) {
   return glm::angleAxis(-heading_rad, glm::dvec3(0.0, 1.0, 0.0));
 }
 
+SurfaceQueryPoint tile_point(double x_m, double z_m) {
+  const double tile_x = std::nearbyint(x_m / query_tile_m), tile_z = std::nearbyint(z_m / query_tile_m);
+  return {.tile_x = static_cast<int>(tile_x),
+          .tile_z = static_cast<int>(tile_z),
+          .x_m = static_cast<float>(x_m - tile_x * query_tile_m),
+          .z_m = static_cast<float>(z_m - tile_z * query_tile_m)};
+}
+
 BodyState device_state(const BodyPose& pose) {
   require_within("body.x_m", pose.mass_centre_m.x, -farthest_point_m, farthest_point_m);
   require_within("body.y_m", pose.mass_centre_m.y, -deepest_m, deepest_m);
   require_within("body.z_m", pose.mass_centre_m.z, -farthest_point_m, farthest_point_m);
-  const double tile_x = std::nearbyint(pose.mass_centre_m.x / query_tile_m);
-  const double tile_z = std::nearbyint(pose.mass_centre_m.z / query_tile_m);
-  return {.tile_x = static_cast<int>(tile_x),
-          .tile_z = static_cast<int>(tile_z),
-          .x_m = static_cast<float>(pose.mass_centre_m.x - tile_x * query_tile_m),
+  const SurfaceQueryPoint place = tile_point(pose.mass_centre_m.x, pose.mass_centre_m.z);
+  return {.tile_x = place.tile_x,
+          .tile_z = place.tile_z,
+          .x_m = place.x_m,
           .y_m = static_cast<float>(pose.mass_centre_m.y),
-          .z_m = static_cast<float>(pose.mass_centre_m.z - tile_z * query_tile_m),
+          .z_m = place.z_m,
           .turn_x = static_cast<float>(pose.turn.x),
           .turn_y = static_cast<float>(pose.turn.y),
           .turn_z = static_cast<float>(pose.turn.z),

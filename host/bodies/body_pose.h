@@ -22,6 +22,9 @@ struct BodyPose {
   glm::dvec2 flow_mps{0.0};             ///< of the water around the hull then, along x and z
 };
 
+/// A place as devices have it.
+SurfaceQueryPoint tile_point(double x_m, double z_m);
+
 /// Of body x in the world, from +x toward +z, rad.
 double heading_of(const BodyPose& pose);
 /// An upright body's turn.

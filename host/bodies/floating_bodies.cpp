@@ -95,17 +95,16 @@ BodyShape device_shape(const FloatingBody& body) {
 
 BodyMooring device_mooring(const MooringLine& line, const glm::dvec3& mass_centre_m) {
   const glm::dvec3 place_m = line.hull_m - mass_centre_m;
-  const double tile_x = std::nearbyint(line.anchor_m.x / query_tile_m);
-  const double tile_z = std::nearbyint(line.anchor_m.z / query_tile_m);
+  const SurfaceQueryPoint anchor = tile_point(line.anchor_m.x, line.anchor_m.z);
   const auto f = [](double value) { return static_cast<float>(value); };
   return {.x_m = f(place_m.x),
           .y_m = f(place_m.y),
           .z_m = f(place_m.z),
-          .anchor_tile_x = static_cast<int>(tile_x),
-          .anchor_tile_z = static_cast<int>(tile_z),
-          .anchor_x_m = f(line.anchor_m.x - tile_x * query_tile_m),
+          .anchor_tile_x = anchor.tile_x,
+          .anchor_tile_z = anchor.tile_z,
+          .anchor_x_m = anchor.x_m,
           .anchor_y_m = f(line.anchor_m.y),
-          .anchor_z_m = f(line.anchor_m.z - tile_z * query_tile_m),
+          .anchor_z_m = anchor.z_m,
           .length_m = f(line.length_m),
           .stiffness_npm = f(line.stiffness_npm)};
 }

@@ -21,8 +21,8 @@
 // retardation fade from half its displacement on, so that they are not those of a body in the air. So does what waves do
 // to it besides the pressure below their surface.
 // Semi-implicit Euler: velocities first, then places by the new ones. Drag, wind, the rudder's lift and lines are each
-// weakened as an implicit step would, so that none turns a motion around. Speed and spin have bounds far above those of any hull
-// (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
+// weakened as an implicit step would, so that none turns a motion around. Speed and spin have bounds far above those of
+// any hull (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
 #include "bodies/turn.clh"
 #include "shared/bodies.h"
 #include "shared/query_params.h"
@@ -242,6 +242,16 @@ static float yielding(const BodyShape* shape, const Motion* motion, float3 place
   return 1.0f / shape->mass_kg + dot(lever, inverse_inertia_times(shape, lever));
 }
 
+// What resists the motion in something that flows, weakened as an implicit step would.
+static void set_weakened(const BodyShape* shape, const BodyWater* water, const Motion* motion, float3 flow, float3 force,
+                         float3 moment, Push* push) {
+  const float reach = 0.5f * shape->length_m;
+  const float pace = length(motion->velocity - flow) + (reach * length(motion->spin) + 1e-6f);
+  const float least_inertia = fmin(shape->inertia_xx, fmin(shape->inertia_yy, shape->inertia_zz));
+  push->force = force / (1.0f + water->step_s * length(force) / (shape->mass_kg * pace));
+  push->moment = moment / (1.0f + water->step_s * length(moment) * reach / (least_inertia * pace));
+}
+
 static void set_push(float3 force, float3 place, Push* push) {
   push->force = force;
   push->moment = cross(place, force);
@@ -459,23 +469,11 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
   const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
   const float3 flow = mean_flow(wrench);
-  const float reach = 0.5f * shape->length_m;
-  const float turning_speed = reach * length(motion->spin) + 1e-6f;
-  const float least_inertia = fmin(shape->inertia_xx, fmin(shape->inertia_yy, shape->inertia_zz));
-
   pushes[BODY_PRESSURE].force = wrench->pressure;
   pushes[BODY_PRESSURE].moment = wrench->pressure_moment;
-  const float pace = length(motion->velocity - flow) + turning_speed;
-  pushes[BODY_DRAG].force =
-      wrench->drag / (1.0f + water->step_s * length(wrench->drag) / (shape->mass_kg * pace));
-  pushes[BODY_DRAG].moment =
-      wrench->drag_moment / (1.0f + water->step_s * length(wrench->drag_moment) * reach / (least_inertia * pace));
+  set_weakened(shape, water, motion, flow, wrench->drag, wrench->drag_moment, &pushes[BODY_DRAG]);
   const float3 wind = (float3)(water->wind_x_mps, 0.0f, water->wind_z_mps);
-  const float gust = length(motion->velocity - wind) + turning_speed;
-  pushes[BODY_WIND].force =
-      wrench->wind / (1.0f + water->step_s * length(wrench->wind) / (shape->mass_kg * gust));
-  pushes[BODY_WIND].moment =
-      wrench->wind_moment / (1.0f + water->step_s * length(wrench->wind_moment) * reach / (least_inertia * gust));
+  set_weakened(shape, water, motion, wind, wrench->wind, wrench->wind_moment, &pushes[BODY_WIND]);
   set_drive(shape, water, drive, motion, flow, propeller, propeller_depth, pushes);
   set_mooring(shape, water, moorings, origin, motion, &pushes[BODY_MOORING]);
   set_push((float3)(0.0f, -shape->mass_kg * water->gravity_mps2, 0.0f), (float3)(0.0f), &pushes[BODY_GRAVITY]);

@@ -187,7 +187,7 @@ class SpectrumExport {
     if (file_.empty()) return;
     const WaveSpectrum sampled = scene::sampled_spectrum(sea);
     text_ = ww3_text(file_, std::span(&sampled, 1));
-    if (std::filesystem::exists(file_)) require_new_or_equal(inputs);
+    if (std::filesystem::exists(file_) && !holds(file_, text_)) require_new(file_, existing, inputs);
   }
 
   void write(const GivenInputs& inputs) const {
@@ -197,10 +197,6 @@ class SpectrumExport {
   }
 
  private:
-  void require_new_or_equal(const GivenInputs& inputs) const {
-    if (!holds(file_, text_)) require_new(file_, existing_, inputs);
-  }
-
   std::string file_, text_;
   Existing existing_;
 };

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "host/fft/fft2d.h"
+#include "host/fft/fft_plan.h"
 #include "host/ocean/query/water_query.h"
 #include "host/ocean/spectrum/dispersion.h"
-#include "host/ocean/wakes/wake_step.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 #include "kernels/shared/wake.h"
@@ -83,6 +83,27 @@ struct WakeState {
   std::vector<float> height_m, second_m;
 };
 
+/// The step of a wake window whose modes move each by itself: to modes, on by a step, and back, in the four
+/// passes of two transforms (kernels/fft), so that a small window does not wait for launches.
+class WakeStep {
+ public:
+  /// `turn` [n][n][2]: what each mode is multiplied by in a step, over n^2. Throws what Fft2d throws.
+  WakeStep(const ocl::Device& device, int cells, const std::vector<float>& turn);
+
+  /// Enqueues a step of `state` [n][n][2] under `displaced` [n][n] m; `kept` [2][n] as
+  /// kernels/ocean/wakes/wake_settle_rows.cl says.
+  void advance(const WakeGrid& grid, const ocl::Buffer<float>& displaced, const ocl::Buffer<float>& kept,
+               ocl::Buffer<float>& state);
+
+ private:
+  WakeStep(const ocl::Device& device, const fft::FftPlan& plan, const std::vector<float>& turn);
+
+  ocl::Kernel press_columns_, turn_rows_, inverse_columns_, settle_rows_;
+  ocl::LaunchShape columns_shape_, rows_shape_;
+  ocl::LocalMemory scratch_;
+  ocl::Buffer<float> column_twiddles_, row_twiddles_, turn_, intermediate_, spectrum_;
+};
+
 /// A square of water that bodies and rain disturb, and that moves with them in whole cells (O14 of
 /// docs/sources.md, and linear water waves).
 ///
@@ -92,9 +113,8 @@ struct WakeState {
 /// and what is shown is faded to nothing there.
 ///
 /// Foam covers 0 ... 1 of the water, as that of the sea does (FoamParameters). Hulls make it where their
-/// depth changes fast in the water around them, and steep waves where they break
-/// (ocean/wakes/wake_foam.cl). It stays where it is,
-/// spreads by turbulence and fades.
+/// depth changes fast in the water around them, and steep waves where they break (ocean/wakes/wake_foam.cl).
+/// It stays where it is, spreads by turbulence and fades.
 ///
 /// State is history: it is known at multiples of step_s, and advance_to() takes it from one to the next. The
 /// same steps give the same state, bit by bit, whatever times are asked for in between.
