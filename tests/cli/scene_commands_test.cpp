@@ -171,7 +171,7 @@ TEST_F(SceneCommands, KeysAreListed) {
   EXPECT_EQ(all.size(), scene::parameter_table().size());
   EXPECT_THAT(
       run_offing({"scene", "keys", "fetch"}).output,
-      HasSubstr("ocean.fetch_m\n    fetch: length of water that the wind has blown over (jonswap, tma)\n"
+      HasSubstr("ocean.fetch_m\n    fetch: distance over water that the wind has blown (jonswap, tma)\n"
                 "    a number in m within [100, 10000000]; default 100000; --fetch-m\n"));
   const ProgramResult none = run_offing({"scene", "keys", "fetchm"});
   EXPECT_EQ(none.exit_code, 2);

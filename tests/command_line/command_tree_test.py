@@ -48,7 +48,7 @@ class CommandTreeTest(unittest.TestCase):
         options = {option["names"][-1]: option for option in bake["options"]}
         wind = options["--wind-speed-mps"]
         self.assertEqual((wind["value"], wind["unit"], wind["low"], wind["high"]), ("number", "m/s", 0.1, 60))
-        self.assertEqual(wind["default"], "as in [wind]: 10; with hs_m, computed from height and period")
+        self.assertEqual(wind["default"], "as in [wind]: 10; with hs_m or a measured sea, computed from height and period")
         self.assertEqual(options["--spectrum"]["choices"], ["phillips", "pm", "jonswap", "tma", "swell"])
         self.assertEqual(options["--output"]["value"], "folder")
         self.assertTrue(options["--output"]["is_required"])

@@ -152,6 +152,23 @@ motion = "path"
 x_m = -16.5
 z_m = -17.5
 )";
+constexpr const char* small_moorings = R"(version = 1
+[ocean]
+size = 32
+[camera]
+y_m = 12
+z_m = 24
+pitch_deg = 69
+[[mesh]]
+name = "a"
+shape = "sphere"
+size_m = 2
+highlights = "off"
+[[body]]
+mesh = "a"
+[[body.mooring]]
+[[body.mooring]]
+)";
 const char* text_of(const PanelRows& rows) {
   const scene::ParameterGroup group = rows.panel.group;
   switch (group) {
@@ -165,6 +182,8 @@ const char* text_of(const PanelRows& rows) {
       return small_highlights;
     case scene::ParameterGroup::body:
       return small_bodies;
+    case scene::ParameterGroup::mooring:
+      return small_moorings;
     case scene::ParameterGroup::cloud_layer:
       return small_layers;
     case scene::ParameterGroup::cloud:
@@ -184,6 +203,7 @@ bool is_of_world(scene::ParameterGroup group) {
     case scene::ParameterGroup::highlight:
     case scene::ParameterGroup::light:
     case scene::ParameterGroup::body:
+    case scene::ParameterGroup::mooring:
       return true;
     default:
       return false;
@@ -209,7 +229,8 @@ present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions u
     usual.scene.set_at.emplace("camera.y_m", "the test");
   }
   // Bodies begin anew at the time of an edit.
-  if (group == scene::ParameterGroup::body) usual.time_s = 0.0;
+  const bool has_bodies = group == scene::ParameterGroup::body || group == scene::ParameterGroup::mooring;
+  if (has_bodies) usual.time_s = 0.0;
   return usual;
 }
 
