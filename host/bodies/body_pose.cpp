@@ -47,7 +47,9 @@ BodyState device_state(const BodyPose& pose) {
           .spin_z_radps = static_cast<float>(pose.spin_radps.z),
           .displaced_m3 = static_cast<float>(pose.displaced_m3),
           .flow_x_mps = static_cast<float>(pose.flow_mps.x),
-          .flow_z_mps = static_cast<float>(pose.flow_mps.y)};
+          .flow_z_mps = static_cast<float>(pose.flow_mps.y),
+          .shift_x_m = static_cast<float>(pose.shift_m.x),
+          .shift_z_m = static_cast<float>(pose.shift_m.y)};
 }
 
 BodyPose pose_of(const BodyState& state) {
@@ -57,7 +59,8 @@ BodyPose pose_of(const BodyState& state) {
           .velocity_mps = {state.velocity_x_mps, state.velocity_y_mps, state.velocity_z_mps},
           .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps},
           .displaced_m3 = state.displaced_m3,
-          .flow_mps = {state.flow_x_mps, state.flow_z_mps}};
+          .flow_mps = {state.flow_x_mps, state.flow_z_mps},
+          .shift_m = {state.shift_x_m, state.shift_z_m}};
 }
 
 BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
@@ -66,7 +69,8 @@ BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
           .velocity_mps = glm::mix(from.velocity_mps, to.velocity_mps, share),
           .spin_radps = glm::mix(from.spin_radps, to.spin_radps, share),
           .displaced_m3 = std::lerp(from.displaced_m3, to.displaced_m3, share),
-          .flow_mps = glm::mix(from.flow_mps, to.flow_mps, share)};
+          .flow_mps = glm::mix(from.flow_mps, to.flow_mps, share),
+          .shift_m = glm::mix(from.shift_m, to.shift_m, share)};
 }
 
 }  // namespace offing::bodies

@@ -20,6 +20,7 @@ struct BodyPose {
   glm::dvec3 spin_radps{0.0};           ///< in body axes
   double displaced_m3 = 0.0;            ///< of water, a sub-step before
   glm::dvec2 flow_mps{0.0};             ///< of the water around the hull then, along x and z
+  glm::dvec2 shift_m{0.0};              ///< of that water from its place at rest, along x and z
 };
 
 /// A place as devices have it.

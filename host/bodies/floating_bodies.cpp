@@ -197,7 +197,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   owners_ = ocl::Buffer<std::uint32_t>(device, owners, "owners of hull vertices");
   faces_ = ocl::Buffer<std::uint32_t>(device, faces, "hull faces");
   points_ = ocl::Buffer<SurfaceQueryPoint>(device, vertices_, "points of hulls");
-  samples_ = ocl::Buffer<SurfaceQuerySample>(device, vertices_, "water at hulls");
+  samples_ = ocl::Buffer<SurfaceQueryShifted>(device, vertices_, "water at hulls");
   drives_ = ocl::Buffer<BodyDrive>(device, size() * steps_a_question, "drives of bodies");
   now_ = ocl::Buffer<BodyState>(device, size(), "states of bodies");
   before_ = ocl::Buffer<BodyState>(device, size(), "last states of bodies");

@@ -46,7 +46,7 @@ class FloatingBodies {
   /// Enqueues the answers for the first `count` points at a time, height, slopes and velocity of the surface;
   /// ocean::Ocean::sample() has this form.
   using WaterSurface = std::function<void(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points,
-                                          std::size_t count, ocl::Buffer<SurfaceQuerySample>& samples)>;
+                                          std::size_t count, ocl::Buffer<SurfaceQueryShifted>& samples)>;
   /// What drives a body in the sub-step that begins at a time.
   using Drive = std::function<BodyDrive(std::size_t body, double time_s)>;
 
@@ -142,7 +142,7 @@ class FloatingBodies {
   ocl::Buffer<BodyWave> waves_;
   ocl::Buffer<std::uint32_t> owners_, faces_;
   ocl::Buffer<SurfaceQueryPoint> points_;
-  ocl::Buffer<SurfaceQuerySample> samples_;
+  ocl::Buffer<SurfaceQueryShifted> samples_;
   ocl::Buffer<BodyDrive> drives_;
   ocl::Buffer<BodyState> now_, before_;  // states at the next question and at the last one
   ocl::Buffer<BodyState> path_;          // those between

@@ -228,7 +228,7 @@ void WorldBodies::reset(double start_s) {
 }
 
 void WorldBodies::ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                          ocl::Buffer<SurfaceQuerySample>& samples) {
+                          ocl::Buffer<SurfaceQueryShifted>& samples) {
   sea_.at(time_s);
   sea_.sample(points, count, samples, query_);
 }

@@ -135,7 +135,7 @@ class WorldBodies {
   void tell_waves();
   double lost_wave_share(std::size_t body, double time_s) const;
   void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-               ocl::Buffer<SurfaceQuerySample>& samples);
+               ocl::Buffer<SurfaceQueryShifted>& samples);
 
   ocl::Device device_;
   std::vector<BodySettings> settings_;

@@ -101,6 +101,7 @@ typedef struct {
   float3 pressure, pressure_moment, drag, drag_moment;
   float wetted;
   float3 flow;  // velocity of the water, times the wetted area
+  float2 shift;  // of the water from its place at rest along x and z, times the wetted area
   float3 wind, wind_moment;
 } Wrench;
 
@@ -139,6 +140,7 @@ static void clear(Wrench* wrench) {
   wrench->pressure = wrench->pressure_moment = wrench->drag = wrench->drag_moment = (float3)(0.0f);
   wrench->flow = wrench->wind = wrench->wind_moment = (float3)(0.0f);
   wrench->wetted = 0.0f;
+  wrench->shift = (float2)(0.0f);
 }
 
 // Friction of a plate along the flow, ITTC 1957: 0.075 / (log10 Re - 2)^2; below Re = 10^5 as there.
@@ -167,7 +169,7 @@ static void add_wind(const BodyShape* shape, const BodyWater* water, float3 velo
 
 // What water and wind do to a face, added to `sum`.
 static void add_face(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float3 forward, float friction,
-                     const float3* arm, const float* depth, float3 flow, Wrench* sum) {
+                     const float3* arm, const float* depth, float3 flow, float2 shift, Wrench* sum) {
   const float3 twice = cross(arm[1] - arm[0], arm[2] - arm[0]);
   const float area = 0.5f * length(twice);
   if (!(area > 0.0f)) return;
@@ -201,6 +203,7 @@ static void add_face(const BodyShape* shape, const BodyWater* water, float3 velo
   sum->drag_moment += cross(middle, drag);
   sum->wetted += part.area;
   sum->flow += part.area * flow;
+  sum->shift += part.area * shift;
 }
 
 // Of the water around the hull.
@@ -516,6 +519,7 @@ static void write_state(const BodyWater* water, const BodyState* origin, const M
                         __global BodyState* written) {
   const float east = rint(motion->place.x / SURFACE_QUERY_TILE_M), south = rint(motion->place.z / SURFACE_QUERY_TILE_M);
   const float3 flow = mean_flow(sum);
+  const float2 shift = sum->wetted > 0.0f ? sum->shift / sum->wetted : (float2)(0.0f);
   const BodyState state = {origin->tile_x + (int)east,
                            origin->tile_z + (int)south,
                            motion->place.x - SURFACE_QUERY_TILE_M * east,
@@ -533,7 +537,9 @@ static void write_state(const BodyWater* water, const BodyState* origin, const M
                            motion->spin.z,
                            displaced_by(water, sum),
                            flow.x,
-                           flow.z};
+                           flow.z,
+                           shift.x,
+                           shift.y};
   *written = state;
 }
 
@@ -550,7 +556,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     __global const BodyShape* restrict shapes, __global const BodyDrive* restrict drives,
     __global const BodyState* restrict states, __global const float* restrict vertices,
     __global const uint* restrict faces, __global const SurfaceQueryPoint* restrict points,
-    __global const SurfaceQuerySample* restrict samples, __global const BodyMooring* restrict moorings,
+    __global const SurfaceQueryShifted* restrict samples, __global const BodyMooring* restrict moorings,
     __global const float* restrict memory, __global const float* restrict excitation, const BodyWater water,
     __global float* restrict velocities, __global BodyState* restrict path,
     __global BodyState* restrict ends, __global BodyReport* restrict reports) {
@@ -591,15 +597,17 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
     clear(&sum);
     for (int face = lane; face < shape.face_count; face += GROUP) {
       float3 arm[3], flow = (float3)(0.0f);
+      float2 shift = (float2)(0.0f);
       float depth[3];
       for (int corner = 0; corner < 3; ++corner) {
         const uint vertex = faces[3 * (shape.first_face + face) + corner];
-        const SurfaceQuerySample sample = samples[vertex];
+        const SurfaceQuerySample sample = samples[vertex].water;
         arm[corner] = turned(motion.turn, vload3(vertex, vertices));
         depth[corner] = depth_of(&origin, motion.place, arm[corner], points[vertex], &sample, time_s);
         flow += surface_velocity(&sample) / 3.0f;
+        shift += (float2)(samples[vertex].shift_x_m, samples[vertex].shift_z_m) / 3.0f;
       }
-      add_face(&shape, &water, motion.velocity, spin, forward, friction, arm, depth, flow, &sum);
+      add_face(&shape, &water, motion.velocity, spin, forward, friction, arm, depth, flow, shift, &sum);
     }
     sums[lane] = sum;
     for (int kept = GROUP / 2; kept > 0; kept /= 2) {
@@ -611,6 +619,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
         sums[lane].drag_moment += sums[lane + kept].drag_moment;
         sums[lane].wetted += sums[lane + kept].wetted;
         sums[lane].flow += sums[lane + kept].flow;
+        sums[lane].shift += sums[lane + kept].shift;
         sums[lane].wind += sums[lane + kept].wind;
         sums[lane].wind_moment += sums[lane + kept].wind_moment;
         for (int i = 0; i < BODY_MOTIONS; ++i) pasts[lane].at[i] += pasts[lane + kept].at[i];
@@ -624,7 +633,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const float share = wetted_share(&shape, &water, &total) * (1.0f - drive.lost_wave_share);
       Motions waves;
       for (int i = 0; i < BODY_MOTIONS; ++i) waves.at[i] = share * excitation[BODY_MOTIONS * body + i];
-      const SurfaceQuerySample sample = samples[shape.propeller_vertex];
+      const SurfaceQuerySample sample = samples[shape.propeller_vertex].water;
       const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
       const float depth =
           depth_of(&origin, motion.place, propeller, points[shape.propeller_vertex], &sample, time_s);

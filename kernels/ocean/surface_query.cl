@@ -3,7 +3,7 @@
 //      shared/query_params.h; waves, params (shared/query_params.h), rings (GerstnerRingInTile of shared/gerstner_params.h);
 //      wake_maps of ocean/wakes/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it; with SHOALS shoals,
 //      depths_m [rows][columns], shoal_shares (shared/shoal_params.h).
-// Out: samples (SurfaceQuerySample of shared/query_params.h, or its first floats), the surface of ocean/surface_compose.cl where
+// Out: samples (SurfaceQueryShifted of shared/query_params.h, or its first floats), the surface of ocean/surface_compose.cl where
 //      it meets the point's vertical.
 // The host sets VECTORS, of LANES points each, that a work-item takes. With QUERY_MODES a group of GROUP work-items takes one
 // point, which is in all lanes.
@@ -179,9 +179,11 @@ INLINE void sample_labels(const Source *source, __global const SurfaceQueryWave 
   store_lanes(rate * water.acceleration_y, fields + 9 * LANES);
   store_lanes(rate * water.acceleration_z, fields + 10 * LANES);
   store_lanes((lanes)params->error_rms_m, fields + 11 * LANES);
+  store_lanes(water.shift_x, fields + 12 * LANES);
+  store_lanes(water.shift_z, fields + 13 * LANES);
 }
 
-#define SAMPLE_FLOATS 12
+#define SAMPLE_FLOATS 14
 
 #if SOURCE == QUERY_MODES && LANES == 1
 __attribute__((reqd_work_group_size(GROUP, 1, 1)))

@@ -41,8 +41,9 @@ typedef struct {
   float turn_x, turn_y, turn_z, turn_w;                  // unit quaternion from body axes to the world's
   float velocity_x_mps, velocity_y_mps, velocity_z_mps;  // of the mass centre, in world axes
   float spin_x_radps, spin_y_radps, spin_z_radps;        // in body axes
-  // In the sub-step that led here: of water, and the mean velocity of that around the hull.
-  float displaced_m3, flow_x_mps, flow_z_mps;
+  // In the sub-step that led here: of water, and of that around the hull the mean velocity and how far it is
+  // from its place at rest.
+  float displaced_m3, flow_x_mps, flow_z_mps, shift_x_m, shift_z_m;
 } BodyState;
 
 // What a body is.
@@ -153,7 +154,7 @@ typedef struct {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(HullPress) == 60, "no padding");
-static_assert(sizeof(BodyState) == 72, "no padding");
+static_assert(sizeof(BodyState) == 80, "no padding");
 static_assert(sizeof(BodyShape) == 176, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");
 static_assert(sizeof(BodyMooring) == 40, "no padding");

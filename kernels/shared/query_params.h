@@ -61,6 +61,12 @@ typedef struct {
 // The first floats of a sample, as far as those go who know no acceleration.
 #define SURFACE_QUERY_FIRST_FLOATS 8
 
+// The water at a point, and how far from its place at rest.
+typedef struct {
+  SurfaceQuerySample water;
+  float shift_x_m, shift_z_m;
+} SurfaceQueryShifted;
+
 // A Gerstner wave with its phase at the corner of tile (0, 0) at time 0. Turns are in 2^-32, so that sums
 // that overflow lose whole ones, and nothing else.
 typedef struct {
@@ -93,7 +99,7 @@ typedef struct {
   float weight_papm;     // density times gravity
   float tolerance_m;     // steps end where the residual is no larger
   float error_rms_m;     // that of SurfaceQuerySample
-  int sample_floats;     // of a sample in memory: all, or SURFACE_QUERY_FIRST_FLOATS
+  int sample_floats;     // of a sample in memory, as many as its type has
   int columns;           // of the modes' planes (shared/mode_layout.h)
   float mode_radius[4];  // of each cascade: modes farther from K = 0, in steps, are 0
   int padding;
@@ -103,6 +109,7 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(SurfaceQueryPoint) == 16, "no padding");
 static_assert(sizeof(SurfaceQuerySample) == 48, "no padding");
+static_assert(sizeof(SurfaceQueryShifted) == 56, "no padding");
 static_assert(sizeof(SurfaceQueryWave) == 88, "no padding");
 static_assert(sizeof(SurfaceQueryParams) == 256, "no padding");
 #endif

@@ -20,11 +20,11 @@ constexpr double density = test::sea_density_kgpm3, gravity = 9.81;
 /// Water of random heights, at rest, the same at all times: a hull in it has vertices that are wet in any
 /// pattern.
 struct RandomWater {
-  std::vector<SurfaceQuerySample> samples;
+  std::vector<SurfaceQueryShifted> samples;
 
   RandomWater(std::size_t count, double deviation_m, std::mt19937& random) : samples(count) {
     std::normal_distribution<float> height(0.0f, static_cast<float>(deviation_m));
-    for (SurfaceQuerySample& sample : samples) sample.height_m = height(random);
+    for (SurfaceQueryShifted& sample : samples) sample.water.height_m = height(random);
   }
 };
 
@@ -53,7 +53,7 @@ TEST(BodyForcesTest, AreThoseOfTheReference) {
       const BodyPose pose = pose_of(path[FloatingBodies::steps_a_question - 2]);
       std::vector<double> depths_m;
       for (std::size_t i = 0; i < body.hull.positions_m.size(); ++i) {
-        depths_m.push_back(static_cast<double>(water.samples[i].height_m) -
+        depths_m.push_back(static_cast<double>(water.samples[i].water.height_m) -
                            FloatingBodies::world_point(body, pose, body.hull.positions_m[i]).y);
       }
       const test::ReferenceForces expected = test::reference_forces(body, pose, depths_m, density * gravity);

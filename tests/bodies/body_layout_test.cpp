@@ -16,9 +16,11 @@ Layout on_device(const char* name, const std::vector<std::string>& members) {
 
 TEST(BodyLayoutTest, BodyState) {
   using S = BodyState;
-  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "displaced_m3", "flow_z_mps"}),
+  EXPECT_EQ(on_device("BodyState",
+                      {"tile_x", "x_m", "turn_w", "spin_x_radps", "displaced_m3", "flow_z_mps", "shift_z_m"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, x_m), offsetof(S, turn_w),
-                    offsetof(S, spin_x_radps), offsetof(S, displaced_m3), offsetof(S, flow_z_mps)}));
+                    offsetof(S, spin_x_radps), offsetof(S, displaced_m3), offsetof(S, flow_z_mps),
+                    offsetof(S, shift_z_m)}));
 }
 
 TEST(BodyLayoutTest, BodyShape) {

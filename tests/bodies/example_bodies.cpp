@@ -33,27 +33,28 @@ TriangleMesh boat(double length_m, int cells) {
 
 bodies::FloatingBodies::WaterSurface still_water(double level_m) {
   return [level_m](double, const ocl::Buffer<SurfaceQueryPoint>&, std::size_t count,
-                   ocl::Buffer<SurfaceQuerySample>& samples) {
-    SurfaceQuerySample sample{};
-    sample.height_m = static_cast<float>(level_m);
-    samples.write(std::vector<SurfaceQuerySample>(count, sample));
+                   ocl::Buffer<SurfaceQueryShifted>& samples) {
+    SurfaceQueryShifted sample{};
+    sample.water.height_m = static_cast<float>(level_m);
+    samples.write(std::vector<SurfaceQueryShifted>(count, sample));
   };
 }
 
 bodies::FloatingBodies::WaterSurface wavy_water(const LongWave& wave) {
   return [wave](double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                ocl::Buffer<SurfaceQuerySample>& samples) {
+                ocl::Buffer<SurfaceQueryShifted>& samples) {
     const std::vector<SurfaceQueryPoint> places = points.read();
     const double k = 2.0 * std::numbers::pi / wave.wavelength_m, omega = std::sqrt(9.81 * k);
-    std::vector<SurfaceQuerySample> found;
+    std::vector<SurfaceQueryShifted> found;
     for (std::size_t i = 0; i < count; ++i) {
       const double x_m = static_cast<double>(SURFACE_QUERY_TILE_M) * places[i].tile_x + places[i].x_m;
       const double phase = k * x_m - omega * time_s;
-      SurfaceQuerySample sample{};
-      sample.height_m = static_cast<float>(wave.amplitude_m * std::cos(phase));
-      sample.slope_x = static_cast<float>(-wave.amplitude_m * k * std::sin(phase));
-      sample.velocity_x_mps = static_cast<float>(wave.amplitude_m * omega * std::cos(phase));
-      sample.velocity_y_mps = static_cast<float>(wave.amplitude_m * omega * std::sin(phase));
+      SurfaceQueryShifted sample{};
+      sample.water.height_m = static_cast<float>(wave.amplitude_m * std::cos(phase));
+      sample.water.slope_x = static_cast<float>(-wave.amplitude_m * k * std::sin(phase));
+      sample.shift_x_m = static_cast<float>(-wave.amplitude_m * std::sin(phase));
+      sample.water.velocity_x_mps = static_cast<float>(wave.amplitude_m * omega * std::cos(phase));
+      sample.water.velocity_y_mps = static_cast<float>(wave.amplitude_m * omega * std::sin(phase));
       found.push_back(sample);
     }
     samples.write(found);

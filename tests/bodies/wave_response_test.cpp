@@ -94,9 +94,9 @@ ModalSea sea_of(const std::vector<Component>& waves) {
 
 FloatingBodies::WaterSurface water_of(const std::vector<Component>& waves) {
   return [waves](double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                 ocl::Buffer<SurfaceQuerySample>& samples) {
+                 ocl::Buffer<SurfaceQueryShifted>& samples) {
     const std::vector<SurfaceQueryPoint> places = points.read();
-    std::vector<SurfaceQuerySample> found(count);
+    std::vector<SurfaceQueryShifted> found(count);
     for (std::size_t i = 0; i < count; ++i) {
       const double x_m = static_cast<double>(SURFACE_QUERY_TILE_M) * places[i].tile_x + places[i].x_m;
       double height = 0.0, slope = 0.0, along = 0.0, up = 0.0;
@@ -109,10 +109,10 @@ FloatingBodies::WaterSurface water_of(const std::vector<Component>& waves) {
         along += omega * rise;
         up += omega * fall;
       }
-      found[i].height_m = static_cast<float>(height);
-      found[i].slope_x = static_cast<float>(slope);
-      found[i].velocity_x_mps = static_cast<float>(along);
-      found[i].velocity_y_mps = static_cast<float>(up);
+      found[i].water.height_m = static_cast<float>(height);
+      found[i].water.slope_x = static_cast<float>(slope);
+      found[i].water.velocity_x_mps = static_cast<float>(along);
+      found[i].water.velocity_y_mps = static_cast<float>(up);
     }
     samples.write(found);
   };

@@ -94,6 +94,10 @@ TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
               offsetof(S, residual_m), offsetof(S, velocity_x_mps), offsetof(S, velocity_y_mps),
               offsetof(S, velocity_z_mps), offsetof(S, pressure_pa), offsetof(S, acceleration_x_mps2),
               offsetof(S, error_rms_m)}));
+  using M = SurfaceQueryShifted;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQueryShifted",
+                                {"water", "shift_x_m", "shift_z_m"}),
+            (Layout{sizeof(M), offsetof(M, water), offsetof(M, shift_x_m), offsetof(M, shift_z_m)}));
 }
 
 // Of the waves the first members, some and the last.

@@ -255,6 +255,12 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
   enqueue(sea, query, points, count, samples);
 }
 
+void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
+                          const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                          ocl::Buffer<ShiftedWaterSample>& samples) {
+  enqueue(sea, query, points, count, samples);
+}
+
 void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,
                           const TakeSamples& take) {
   const std::size_t most = std::min(points.size(), most_points);

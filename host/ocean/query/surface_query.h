@@ -66,6 +66,9 @@ class SurfaceQuery {
   /// The same with the first floats of each sample alone.
   void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
               std::size_t count, ocl::Buffer<FirstWaterFloats>& samples);
+  /// The same with what moves the water sideways.
+  void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
+              std::size_t count, ocl::Buffer<ShiftedWaterSample>& samples);
 
   /// The same from and to host memory, part by part; waits.
   void sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,

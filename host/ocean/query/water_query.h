@@ -25,6 +25,9 @@ using WaterSample = SurfaceQuerySample;
 /// The first floats of a sample, up to the pressure.
 using FirstWaterFloats = std::array<float, SURFACE_QUERY_FIRST_FLOATS>;
 
+/// A sample, and how far the water there is from its place at rest, m.
+using ShiftedWaterSample = SurfaceQueryShifted;
+
 /// The upward unit normal (x, y, z) of the surface at a sample.
 inline std::array<float, 3> normal_of(const WaterSample& sample) {
   const float upward =

@@ -600,6 +600,11 @@ void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t cou
   state_->enqueue_sample(points, count, samples, query);
 }
 
+void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                   ocl::Buffer<ShiftedWaterSample>& samples, const WaterQuery& query) {
+  state_->enqueue_sample(points, count, samples, query);
+}
+
 void Ocean::sample(std::span<const WaterPoint> points, const TakeSamples& take, const WaterQuery& query) {
   State& state = *state_;
   const QueriedSea sea = state.queried(query, points.size());

@@ -187,6 +187,9 @@ class Ocean {
   /// The same with samples that end with the pressure.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<FirstWaterFloats>& samples, const WaterQuery& query = {});
+  /// The same with what moves the water sideways.
+  void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+              ocl::Buffer<ShiftedWaterSample>& samples, const WaterQuery& query = {});
   /// The same sea at the time of the last at() in host memory, for single points without the device: from a
   /// frame's maps, as WaterQuery::Accuracy::frame_maps reads them.
   SurfaceInstant instant(const WaterQuery& query = {});
