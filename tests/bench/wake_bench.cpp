@@ -21,13 +21,15 @@ ocean::WakeForcing one_hull(const ocean::WakeParameters& parameters) {
                      .x_m = middle_m,
                      .z_m = middle_m,
                      .length_m = 12.0,
-                     .beam_m = 4.0}}};
+                     .beam_m = 4.0,
+                     .draught_m = 0.05}}};
 }
 
-/// Waves of all lengths and directions: of calm water one step makes heights as small as rounding.
+/// Waves of all lengths and directions, too gentle to break, which the peer knows nothing of: of calm water
+/// one step makes heights as small as rounding.
 ocean::WakeState rough_water(int cells) {
   std::mt19937 random(20'141'019);
-  const auto height_m = [&] { return static_cast<float>(random()) / 4294967296.0f - 0.5f; };
+  const auto height_m = [&] { return 0.05f * (static_cast<float>(random()) / 4294967296.0f - 0.5f); };
   ocean::WakeState state;
   for (int i = 0; i < cells * cells; ++i) {
     state.height_m.push_back(height_m());

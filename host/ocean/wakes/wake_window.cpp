@@ -28,6 +28,14 @@ constexpr double fade_per_s = 1e-4;
 constexpr std::size_t most_hulls = 1024;
 // Foam is made this often or at every step: the hull moves by little in between.
 constexpr double foam_step_s = 1.0 / 30.0;
+// Waves break this often or at every step: a wave of a metre fades by a tenth in between.
+constexpr double breaking_step_s = 0.1;
+
+/// How many steps there are in this time, 1 at least.
+std::int64_t steps_in(double time_s, const WakeParameters& parameters) {
+  return std::max<std::int64_t>(std::llround(time_s / parameters.step_s), 1);
+}
+
 // Turbulence spreads foam: the wake of a ship of 5 m beam widens by a metre on either side in 10 s. Really it
 // widens faster at first and slower later, as the fifth root of the way (Milgram et al. 1993).
 constexpr double foam_diffusion_m2ps = 0.05;
@@ -286,6 +294,7 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
     differences_ = kernel("ocean/wakes/wake_differences.cl", "wake_differences");
   } else {
     press_ = kernel("ocean/wakes/wake_press.cl", "wake_press");
+    break_ = kernel("ocean/wakes/wake_break.cl", "wake_break");
     spectrum_ = kernel("ocean/wakes/wake_spectrum.cl", "wake_spectrum");
     forward_.emplace(device, parameters_.cells, 1, fft::Direction::forward);
     fields_inverse_.emplace(device, parameters_.cells, 2, fft::Direction::inverse);
@@ -379,7 +388,7 @@ void WakeWindow::displace(const std::vector<WakeHull>& hulls) {
 
 void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_growth) {
   if (parameters_.foam_decay_s == 0.0) return;
-  const auto every = std::max<std::int64_t>(std::llround(foam_step_s / parameters_.step_s), 1);
+  const std::int64_t every = steps_in(foam_step_s, parameters_);
   if (step_ % every != 0) return;
   const double since_s = static_cast<double>(every) * parameters_.step_s;
   const double cell_m = parameters_.cell_m();
@@ -397,6 +406,17 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
                     static_cast<float>(spread), next_foam_);
   std::swap(foam_, next_foam_);
   foam_step_number_ = step_;
+}
+
+void WakeWindow::break_waves() {
+  const std::int64_t every = steps_in(breaking_step_s, parameters_);
+  if (parameters_.method == WakeMethod::verlet || step_ % every != 0) return;
+  constexpr std::size_t run = 16;  // of ocean/wakes/wake_break.cl
+  const auto side = static_cast<std::size_t>(parameters_.cells);
+  break_.launch({{side / run, side, 1}}, grid_, state_, displaced_,
+                static_cast<float>(parameters_.dispersion.gravity_mps2),
+                static_cast<float>(static_cast<double>(every) * parameters_.step_s), next_);
+  std::swap(state_, next_);
 }
 
 void WakeWindow::rain() {
@@ -426,6 +446,7 @@ void WakeWindow::step(const ForcingAt& forcing_at, double middle_s, const AddDis
     displaced_by_.reset();
   }
   make_foam(forcing_at, middle_s, add_growth);
+  break_waves();
   rain();
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();

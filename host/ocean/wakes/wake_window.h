@@ -173,6 +173,7 @@ class WakeWindow {
   void displace(const std::vector<WakeHull>& hulls);
   void rain();
   void make_foam(const ForcingAt& forcing_at, double middle_s, const AddDisplaced& add_growth);
+  void break_waves();
   void advance_verlet();
   ocl::LaunchShape whole() const;
   std::size_t texels() const;
@@ -185,8 +186,8 @@ class WakeWindow {
   std::int64_t step_ = 0;
   std::optional<WakeStep> dispersive_;
   std::optional<fft::Fft2d> forward_, fields_inverse_;
-  ocl::Kernel scroll_, rain_, hollows_, displace_, press_, verlet_, spectrum_, differences_, map_, foam_step_,
-      shown_;
+  ocl::Kernel scroll_, rain_, hollows_, displace_, press_, break_, verlet_, spectrum_, differences_, map_,
+      foam_step_, shown_;
   ocl::Buffer<float> kept_, blend_, omega_;
   ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
   ocl::Buffer<float> foam_, next_foam_;           // [n][n]

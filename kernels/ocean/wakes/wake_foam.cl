@@ -5,22 +5,20 @@
 // Out: next [n][n], as foam.
 // Hulls make foam where their surface pushes water away or leaves it behind fast: at the bow and behind the stern. With d the depth
 // that they displace, their surface moves along its normal at (dd/dt) / sqrt(1 + |grad d|^2). Turbulence draws in air from about
-// 1 m/s on (Chanson 1996). Waves that a hull makes break on slopes from 17 degrees on (Duncan 1983), and none is steeper than 30
-// degrees (Stokes 1880).
+// 1 m/s on (Chanson 1996). Waves make foam where they break.
 #include "ocean/wakes/wake_place.clh"
+#include "ocean/wakes/wake_slopes.clh"
 
-#define BREAKING_SLOPE 0.306f  // tan 17 degrees
-#define STEEPEST_SLOPE 0.577f  // tan 30 degrees
 #define QUIET_MPS 0.8f
 #define TURBULENT_MPS 2.0f
-
-static inline float ramp(float low, float high, float value) { return clamp((value - low) / (high - low), 0.0f, 1.0f); }
 
 __kernel void wake_foam(WakeGrid grid, __global const float2 *restrict state, __global const float *restrict displaced,
                         __global const float *restrict growth, __global const float *restrict foam, float kept, float spread,
                         __global float *restrict next) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1), size = grid.size, mask = size - 1;
   const int place = row * size + column;
+  const int left = wake_window_place(column, grid.first_column, size), top = wake_window_place(row, grid.first_row, size);
+  const WakeWater water = {state, displaced, size, grid.cell_m};
   float fastest_mps = 0.0f, shallowest_m = displaced[place], deepest_m = shallowest_m;
   float around = 0.0f, steepest = 0.0f;
   for (int j = -1; j <= 1; ++j) {
@@ -30,10 +28,9 @@ __kernel void wake_foam(WakeGrid grid, __global const float2 *restrict state, __
       shallowest_m = fmin(shallowest_m, displaced[other]);
       deepest_m = fmax(deepest_m, displaced[other]);
       if ((i == 0) == (j == 0)) continue;
-      around += foam[other] - foam[place];
-      // Under a hull, heights are those of its hollow.
-      const bool is_open = displaced[place] == 0.0f && displaced[other] == 0.0f;
-      if (is_open) steepest = fmax(steepest, fabs(state[other].x - state[place].x) / grid.cell_m);
+      // Beyond an edge lies the other side of the window.
+      if (left + i == (left + i & mask) && top + j == (top + j & mask)) around += foam[other] - foam[place];
+      steepest = fmax(steepest, wake_slope(&water, row, column, j, i));
     }
   }
   const float hull_slope = (deepest_m - shallowest_m) / (2.0f * grid.cell_m);
