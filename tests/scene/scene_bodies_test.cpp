@@ -1,6 +1,7 @@
 // Bodies of a scene, as a world gets them.
 #include "host/scene/prepare/scene_bodies.h"
 
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -8,8 +9,12 @@
 
 #include "host/bodies/hull.h"
 #include "host/bodies/hydrostatics.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_hash.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/scene_wakes.h"
+#include "host/scene/prepare/sea.h"
+#include "tests/io/temporary_folder.h"
 #include "tests/scene/section_text.h"
 
 namespace offing::scene {
@@ -184,6 +189,22 @@ TEST(SceneBodies, WakesFollowThem) {
   EXPECT_FALSE(wakes_of(two + "[[ocean.wake]]\n")[0].body);
   EXPECT_THROW(wakes_of(two + "[[ocean.wake]]\ncentre = \"body\"\nbody = \"boy\"\n"), Error);
   EXPECT_THROW(wakes_of(sea + "[[ocean.wake]]\ncentre = \"body\"\n"), Error);
+}
+
+// Fails if wakes that were baked with one hull are taken for those of another in a file of the same name.
+TEST(SceneBodies, HullsAreInTheHash) {
+  const TemporaryFolder folder;
+  const auto hash = [&](const char* deck, Affects what) {
+    std::ofstream(folder.path() / "hull.off")
+        << "OFF\n4 4 0\n0 -1 0\n4 1 0\n-4 1 2\n-4 " << deck << " -2\n3 0 1 2\n3 0 2 3\n3 0 3 1\n3 1 3 2\n";
+    const Scene scene = parse_scene(
+        "version = 1\n[ocean]\nsize = 32\n[[mesh]]\nname = \"hull\"\nfile = \"hull.off\"\n"
+        "[[body]]\nmesh = \"hull\"\ndraught_m = 0.5\n",
+        "a.toml", folder.path());
+    return scene_hash(scene, prepare_sea(scene), "", what);
+  };
+  EXPECT_NE(hash("1", shapes_sea_and_wakes), hash("1.5", shapes_sea_and_wakes));
+  EXPECT_EQ(hash("1", shapes_sea), hash("1.5", shapes_sea));
 }
 
 }  // namespace

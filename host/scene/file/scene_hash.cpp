@@ -6,6 +6,7 @@
 #define XXH_INLINE_ALL  // the header is the library
 #include <xxhash.h>
 
+#include "host/io/whole_file.h"
 #include "host/scene/file/version.h"
 #include "host/scene/schema/parameter_table.h"
 
@@ -19,6 +20,19 @@ void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::
     fmt::format_to(std::back_inserter(text), " {:.17g}", number);
   }
   text.push_back('\n');
+}
+
+std::string digits_of(const XXH128_hash_t& hash) {
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+/// Of hulls, which may change under the same name.
+void append_content(fmt::memory_buffer& text, const std::string& file) {
+  if (file.empty()) return;
+  const std::string bytes =
+      read_whole_file(file, {.kind = "a file of a hull", .most_bytes = std::size_t{1} << 36});
+  fmt::format_to(std::back_inserter(text), "content {}\n",
+                 digits_of(XXH3_128bits(bytes.data(), bytes.size())));
 }
 
 }  // namespace
@@ -67,10 +81,13 @@ std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view outp
                                      mode.phase_rad, static_cast<double>(mode.patch)});
     }
     const XXH128_hash_t of_modes = XXH3_128bits(numbers.data(), numbers.size() * sizeof(double));
-    fmt::format_to(out, "modes {:016x}{:016x}\n", of_modes.high64, of_modes.low64);
+    fmt::format_to(out, "modes {}\n", digits_of(of_modes));
   }
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  if (share_a_bit(what, Affects::bodies) && !scene.bodies.empty()) {
+    for (const MeshScene& mesh : scene.meshes) append_content(text, mesh.file);
+    for (const BodyScene& body : scene.bodies) append_content(text, body.hydrodynamics);
+  }
+  return digits_of(XXH3_128bits(text.data(), text.size()));
 }
 
 }  // namespace offing::scene
