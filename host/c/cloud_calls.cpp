@@ -79,7 +79,7 @@ const offing::clouds::VolumeMedium* extinction_of(OffingWorld& world, double cel
     offing::CloudVolume volume =
         offing::clouds::rasterised(world.world.device(), particles_of(*clouds), cell_m);
     volume.origin_m += clouds->sky_origin_m();
-    kept.emplace();
+    kept.emplace(OffingWorld::CloudExtinction{});
     if (!volume.density.empty()) kept->medium.emplace(volume);
     // Last, so that a medium that could not be made is not taken for clear sky later.
     kept->time_s = time_s;

@@ -401,7 +401,8 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
     add_hulls(shapes_of(forcing_at(middle_s - since_s).hulls), -1.0 / since_s, growth_);
     if (add_growth) add_growth(middle_s, grid_, growth_);
   }
-  foam_step_.launch(whole(), grid_, state_, displaced_, growth_, foam_,
+  const float second = parameters_.method == WakeMethod::verlet ? 0.0f : 1.0f;
+  foam_step_.launch(whole(), grid_, state_, displaced_, growth_, foam_, second,
                     static_cast<float>(std::exp(-since_s / parameters_.foam_decay_s)),
                     static_cast<float>(spread), next_foam_);
   std::swap(foam_, next_foam_);

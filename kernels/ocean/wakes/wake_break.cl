@@ -50,7 +50,7 @@ static inline float largest_change(const WakeWater *water, int row, int first) {
 __kernel void wake_break(WakeGrid grid, __global const float2 *restrict state, __global const float *restrict displaced,
                          float gravity_mps2, float since_s, __global float2 *restrict next) {
   const int first = (int)get_global_id(0) * RUN, row = (int)get_global_id(1);
-  const WakeWater water = {state, displaced, grid.size, grid.cell_m};
+  const WakeWater water = {state, (float2)(1.0f), displaced, grid.size, grid.cell_m};
   const int place = row * grid.size + first;
   // Most water is calm: of a slope both fields have a part.
   if (largest_change(&water, row, first) < 0.7f * LEAST_ALONG * grid.cell_m) {

@@ -1,7 +1,7 @@
 // Foam of a wake window: faded, spread, and made anew by hulls and breaking waves.
 // In:  grid; state [n][n] float2, with the height h in x; displaced [n][n] m, by hulls alone; growth [n][n] m/s, of that depth by
-//      the motion of hulls in the water around them; foam [n][n] 0 ... 1; the share of it that stays; the share of a cell that each
-//      neighbour takes.
+//      the motion of hulls in the water around them; foam [n][n] 0 ... 1; `second`: 1 if slopes are of the second field too, else
+//      0; the share of foam that stays; the share of a cell that each neighbour takes.
 // Out: next [n][n], as foam.
 // Hulls make foam where their surface pushes water away or leaves it behind fast: at the bow and behind the stern. With d the depth
 // that they displace, their surface moves along its normal at (dd/dt) / sqrt(1 + |grad d|^2). Turbulence draws in air from about
@@ -13,12 +13,12 @@
 #define TURBULENT_MPS 2.0f
 
 __kernel void wake_foam(WakeGrid grid, __global const float2 *restrict state, __global const float *restrict displaced,
-                        __global const float *restrict growth, __global const float *restrict foam, float kept, float spread,
+                        __global const float *restrict growth, __global const float *restrict foam, float second, float kept, float spread,
                         __global float *restrict next) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1), size = grid.size, mask = size - 1;
   const int place = row * size + column;
   const int left = wake_window_place(column, grid.first_column, size), top = wake_window_place(row, grid.first_row, size);
-  const WakeWater water = {state, displaced, size, grid.cell_m};
+  const WakeWater water = {state, (float2)(1.0f, second), displaced, size, grid.cell_m};
   float fastest_mps = 0.0f, shallowest_m = displaced[place], deepest_m = shallowest_m;
   float around = 0.0f, steepest = 0.0f;
   for (int j = -1; j <= 1; ++j) {
