@@ -43,8 +43,8 @@ class FloatingBodies {
   static constexpr double steps_per_s = 120.0;
   static constexpr int steps_a_question = 4;
 
-  /// Enqueues the answers for the first `count` points at a time, height, slopes and velocity of the surface;
-  /// ocean::Ocean::sample() has this form.
+  /// Enqueues the answers for the first `count` points at a time: height, slopes, velocity and shift of the
+  /// surface. ocean::Ocean::sample() has this form.
   using WaterSurface = std::function<void(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points,
                                           std::size_t count, ocl::Buffer<SurfaceQueryShifted>& samples)>;
   /// What drives a body in the sub-step that begins at a time.

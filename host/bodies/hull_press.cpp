@@ -80,8 +80,8 @@ void HullPresser::press(const BodyPose& pose, double factor, const WakeGrid& gri
   const glm::dmat2 shadow = shadow_of(axes);
   const double level = level_m(pose.displaced_m3), above_m = level - mass_centre_m_.y;
   const double cell_m = static_cast<double>(grid.cell_m);
-  // The point of the waterline's plane above the mass centre, where the water there is at rest, as windows
-  // have their cells; and from it along and across the hull.
+  // The point of the waterline's plane above the mass centre, moved to where the water there is at rest: a
+  // window holds water by that place. From it along and across the hull.
   const glm::dvec2 middle_m = glm::dvec2(pose.mass_centre_m.x, pose.mass_centre_m.z) +
                               above_m * glm::dvec2(axes[1].x, axes[1].z) - pose.shift_m;
   const auto in_map = [&](const glm::dvec2& in_body_m) {

@@ -41,8 +41,8 @@ typedef struct {
   float turn_x, turn_y, turn_z, turn_w;                  // unit quaternion from body axes to the world's
   float velocity_x_mps, velocity_y_mps, velocity_z_mps;  // of the mass centre, in world axes
   float spin_x_radps, spin_y_radps, spin_z_radps;        // in body axes
-  // In the sub-step that led here: of water, and of that around the hull the mean velocity and how far it is
-  // from its place at rest.
+  // In the sub-step that led here: the volume of water, the mean velocity of the water around the hull, and
+  // how far that water is from its place at rest.
   float displaced_m3, flow_x_mps, flow_z_mps, shift_x_m, shift_z_m;
 } BodyState;
 

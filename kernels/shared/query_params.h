@@ -61,7 +61,7 @@ typedef struct {
 // The first floats of a sample, as far as those go who know no acceleration.
 #define SURFACE_QUERY_FIRST_FLOATS 8
 
-// The water at a point, and how far from its place at rest.
+// The water at a point, and how far waves have moved it from its place at rest.
 typedef struct {
   SurfaceQuerySample water;
   float shift_x_m, shift_z_m;

@@ -25,8 +25,8 @@ ocean::WakeForcing one_hull(const ocean::WakeParameters& parameters) {
                      .draught_m = 0.05}}};
 }
 
-/// Waves of all lengths and directions, too gentle to break, which the peer knows nothing of: of calm water
-/// one step makes heights as small as rounding.
+/// Waves of all lengths and directions, too gentle to break: the peer has no breaking. In calm water, one
+/// step would make heights as small as rounding.
 ocean::WakeState rough_water(int cells) {
   std::mt19937 random(20'141'019);
   const auto height_m = [&] { return 0.05f * (static_cast<float>(random()) / 4294967296.0f - 0.5f); };

@@ -133,7 +133,7 @@ def freeboards_of_commands(folder):
         turn = Quaternion([row[f"turn_{part}"] for part in "wxyz"])
         places = np.array([turn @ Vector(place) for place in BESIDE]) + [row[f"origin_{axis}_m"] for axis in "xyz"]
         np.savetxt(folder / "points.csv", places[:, [0, 2]], delimiter=",", header="x_m,z_m", comments="")
-        # All times from the first on: the wake is that of the bake.
+        # A query simulates bodies from time 0 on, as the bake does: their wakes are the same.
         water = table(peer.run(offing, "ocean", "query", scene, "--points", folder / "points.csv", "--times",
                                f"{row['time_s']}:{row['time_s']}:1", "--quiet"))
         found.append(places[:, 1] - water["height_m"])

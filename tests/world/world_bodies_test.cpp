@@ -127,9 +127,9 @@ TEST_F(WorldBodiesTest, LeavesAWake) {
   EXPECT_GT(wake_at(0.0, 0.0), -0.5);
 }
 
-// Fails if a hull presses on a window where it is seen: waves carry what the window holds to and fro, by up
-// to 2 m here. What it presses on is where the water below it is at rest. A box of 2 m is small beside the
-// swell of 60 m: measured 0.04 m, gate 0.2 m.
+// Fails if a hull presses on a window at its own place, not where the water below it is at rest: waves carry
+// what the window holds to and fro, by up to 2 m here. A box of 2 m is small beside the swell of 60 m:
+// measured 0.04 m, gate 0.2 m.
 TEST_F(WorldBodiesTest, PressesOnWaterWhereItIsAtRest) {
   World world(device_, test::floating_world(1.0));
   const ocean::Dispersion& water = world.parameters().spectrum.dispersion;

@@ -66,7 +66,7 @@ class SurfaceQuery {
   /// The same with the first floats of each sample alone.
   void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
               std::size_t count, ocl::Buffer<FirstWaterFloats>& samples);
-  /// The same with what moves the water sideways.
+  /// The same, and how far waves have moved the water sideways.
   void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
               std::size_t count, ocl::Buffer<ShiftedWaterSample>& samples);
 

@@ -187,7 +187,7 @@ class Ocean {
   /// The same with samples that end with the pressure.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<FirstWaterFloats>& samples, const WaterQuery& query = {});
-  /// The same with what moves the water sideways.
+  /// The same, and how far waves have moved the water sideways.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<ShiftedWaterSample>& samples, const WaterQuery& query = {});
   /// The same sea at the time of the last at() in host memory, for single points without the device: from a

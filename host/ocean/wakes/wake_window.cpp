@@ -28,7 +28,7 @@ constexpr double fade_per_s = 1e-4;
 constexpr std::size_t most_hulls = 1024;
 // Foam is made this often or at every step: the hull moves by little in between.
 constexpr double foam_step_s = 1.0 / 30.0;
-// Waves break this often or at every step: a wave of a metre fades by a tenth in between.
+// Waves break this often or at every step: a wave a metre long fades by an eighth at most in between.
 constexpr double breaking_step_s = 0.1;
 
 /// How many steps there are in this time, 1 at least.

@@ -108,9 +108,9 @@ class WakeStep {
 /// docs/sources.md, and linear water waves).
 ///
 /// What disturbs it presses on the water as deep as it displaces it: a pressure of density, gravity and that
-/// depth. The water's volume in the window stays as it is, but for what the border absorbs. Waves are linear:
-/// they lose nothing by breaking, and do not mind the other waves of the sea. At the border they die away,
-/// and what is shown is faded to nothing there.
+/// depth. The water's volume in the window stays as it is, but for what the border absorbs. Waves do not
+/// mind the other waves of the sea. Steep ones of `dispersive` break (ocean/wakes/wake_break.cl). At the
+/// border waves die away, and what is shown is faded to nothing there.
 ///
 /// Foam covers 0 ... 1 of the water, as that of the sea does (FoamParameters). Hulls make it where their
 /// depth changes fast in the water around them, and steep waves where they break (ocean/wakes/wake_foam.cl).

@@ -26,7 +26,7 @@ std::string digits_of(const XXH128_hash_t& hash) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-/// Of hulls, which may change under the same name.
+/// Of a file of a hull, which may change under the same name.
 void append_content(fmt::memory_buffer& text, const std::string& file) {
   if (file.empty()) return;
   const std::string bytes =

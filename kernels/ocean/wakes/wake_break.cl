@@ -1,8 +1,8 @@
-// Waves of a wake window that are too steep break: turbulence takes what is above the slope at which they begin to. It works as
-// an eddy viscosity between samples (Tian et al. 2010), which keeps the volume and takes energy. Its size is such that the
-// steepest waves fade to 1/e in a period.
+// Steep waves of a wake window break: turbulence lowers them towards the slope at which breaking begins. It works as an eddy
+// viscosity between samples (Tian et al. 2010), which keeps the volume and takes energy. The steepest waves fade at a rate of 1/e
+// in a period of deep water, or more slowly where MOST_MIXED limits it.
 // In:  grid; state [n][n] float2: height h and second field, whose squares add up to that of the local amplitude A; displaced
-//      [n][n] m, by hulls alone; gravity, m/s^2; the time since this was done before, s.
+//      [n][n] m, by hulls alone; gravity, m/s^2; the time from one launch to the next, s.
 // Out: next [n][n], as state. Global size: n / RUN, n.
 #include "ocean/wakes/wake_slopes.clh"
 #include "shared/wake.h"
@@ -52,7 +52,7 @@ __kernel void wake_break(WakeGrid grid, __global const float2 *restrict state, _
   const int first = (int)get_global_id(0) * RUN, row = (int)get_global_id(1);
   const WakeWater water = {state, (float2)(1.0f), displaced, grid.size, grid.cell_m};
   const int place = row * grid.size + first;
-  // Most water is calm: of a slope both fields have a part.
+  // Most water is calm. Two changes of 0.7 of a limit are together below it: 0.7^2 + 0.7^2 < 1.
   if (largest_change(&water, row, first) < 0.7f * LEAST_ALONG * grid.cell_m) {
     vstore16(vload16(0, (__global const float *)(state + place)), 0, (__global float *)(next + place));
     vstore16(vload16(1, (__global const float *)(state + place)), 1, (__global float *)(next + place));

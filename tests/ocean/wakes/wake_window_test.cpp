@@ -122,9 +122,9 @@ TEST(WakeWindowTest, ModesFollowTheDispersionRelation) {
   }
 }
 
-// Fails if waves that are too steep do not break, or others do. With a slope of v = k A, breaking waves lose
-// v (v - 0.306) / 0.271 of it in a period: from 0.577 it falls to 0.361. Measured 0.36; gentle waves lose 0.2
-// % by spreading.
+// Fails if waves that are too steep do not break, or others do. A breaking wave of slope v = k A loses slope
+// at the rate v (v - 0.306) / 0.271 per period: from 0.577 it falls to 0.361. Measured 0.36. Gentle waves
+// lose 0.2 % by spreading.
 TEST(WakeWindowTest, SteepWavesBreak) {
   const ocl::Device device = ocl::Device::open();
   WakeParameters parameters{.cells = 64, .length_m = 64.0, .step_s = 1.0 / 60.0};
