@@ -100,8 +100,8 @@ typedef struct {
 typedef struct {
   float3 pressure, pressure_moment, drag, drag_moment;
   float wetted;
-  float3 flow;  // velocity of the water, times the wetted area
   float2 shift;  // of the water from its place at rest along x and z, times the wetted area
+  float3 flow;  // velocity of the water, times the wetted area
   float3 wind, wind_moment;
 } Wrench;
 

@@ -28,12 +28,25 @@ constexpr double fade_per_s = 1e-4;
 constexpr std::size_t most_hulls = 1024;
 // Foam is made this often or at every step: the hull moves by little in between.
 constexpr double foam_step_s = 1.0 / 30.0;
-// Waves break this often or at every step: a wave a metre long fades by an eighth at most in between.
+// Waves break this often at least, or at every step: a wave a metre long fades by an eighth at most in
+// between.
 constexpr double breaking_step_s = 0.1;
+// The longest waves that break at their full rate.
+constexpr double longest_breaking_m = 10.0;
+// MOST_MIXED of ocean/wakes/wake_break.cl: what a neighbour takes at most.
+constexpr double most_mixed = 0.2;
 
 /// How many steps there are in this time, 1 at least.
 std::int64_t steps_in(double time_s, const WakeParameters& parameters) {
   return std::max<std::int64_t>(std::llround(time_s / parameters.step_s), 1);
+}
+
+/// From one breaking of the waves to the next: the viscosity of the longest ones mixes most.
+std::int64_t steps_to_breaking(const WakeParameters& parameters) {
+  const double length_m = longest_breaking_m / (2.0 * pi), cell_m = parameters.cell_m();
+  const double viscosity_m2ps =
+      std::sqrt(parameters.dispersion.gravity_mps2 * length_m) * length_m / (2.0 * pi);
+  return steps_in(std::min(breaking_step_s, most_mixed * cell_m * cell_m / viscosity_m2ps), parameters);
 }
 
 // Turbulence spreads foam: the wake of a ship of 5 m beam widens by a metre on either side in 10 s. Really it
@@ -410,7 +423,7 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
 }
 
 void WakeWindow::break_waves() {
-  const std::int64_t every = steps_in(breaking_step_s, parameters_);
+  const std::int64_t every = steps_to_breaking(parameters_);
   if (parameters_.method == WakeMethod::verlet || step_ % every != 0) return;
   constexpr std::size_t run = 16;  // of ocean/wakes/wake_break.cl
   const auto side = static_cast<std::size_t>(parameters_.cells);

@@ -23,13 +23,14 @@ __kernel void wake_foam(WakeGrid grid, __global const float2 *restrict state, __
   float around = 0.0f, steepest = 0.0f;
   for (int j = -1; j <= 1; ++j) {
     for (int i = -1; i <= 1; ++i) {
+      // Beyond an edge lies the other side of the window.
+      if (left + i != (left + i & mask) || top + j != (top + j & mask)) continue;
       const int other = ((row + j) & mask) * size + ((column + i) & mask);
       fastest_mps = fmax(fastest_mps, fabs(growth[other]));
       shallowest_m = fmin(shallowest_m, displaced[other]);
       deepest_m = fmax(deepest_m, displaced[other]);
       if ((i == 0) == (j == 0)) continue;
-      // Beyond an edge lies the other side of the window.
-      if (left + i == (left + i & mask) && top + j == (top + j & mask)) around += foam[other] - foam[place];
+      around += foam[other] - foam[place];
       steepest = fmax(steepest, wake_slope(&water, row, column, j, i));
     }
   }
