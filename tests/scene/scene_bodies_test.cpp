@@ -207,5 +207,36 @@ TEST(SceneBodies, HullsAreInTheHash) {
   EXPECT_EQ(hash("1", shapes_sea), hash("1.5", shapes_sea));
 }
 
+// Fails if a file beside the one that the scene names, which is read with it, is left out; if a mesh that
+// does not float counts; or if a missing file is told without its place in the scene.
+TEST(SceneBodies, AllFilesOfBodiesAreInTheHash) {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path() / name) << text; };
+  const auto hash = [&] {
+    const Scene scene =
+        parse_scene("version = 1\n" + sea + hull +
+                        "[[mesh]]\nname = \"mast\"\nfile = \"mast.off\"\naboard = \"ship\"\n"
+                        "[[body]]\nname = \"ship\"\nmesh = \"hull\"\nhydrodynamics = \"a.1\"\n",
+                    "a.toml", folder.path());
+    return scene_hash(scene, prepare_sea(scene), "", shapes_sea_and_wakes);
+  };
+  for (const char* name : {"a.1", "a.3", "mast.off"}) write(name, "1");
+  const std::string first = hash();
+  write("mast.off", "2");
+  EXPECT_EQ(hash(), first);
+  write("a.3", "2");
+  const std::string second = hash();
+  EXPECT_NE(second, first);
+  write("a.hst", "2");
+  EXPECT_NE(hash(), second);
+  std::filesystem::remove(folder.path() / "a.1");
+  try {
+    hash();
+    ADD_FAILURE() << "a missing file";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("body.hydrodynamics"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace offing::scene

@@ -34,29 +34,25 @@ struct Loaded {
   WamitText view() const { return {text, name}; }
 };
 
-Loaded load_beside(const std::filesystem::path& path, const char* extension, Trust trust) {
-  std::filesystem::path file = path;
-  file.replace_extension(extension);
-  if (file != path) require_beside(path, file, trust);
-  return {file.string(), read_whole_file(file, expectation)};
+bool is_wamit(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".1" || extension == ".3" || extension == ".hst";
 }
 
 HydrodynamicFile read_wamit(const std::filesystem::path& path, const hydrodynamics::WamitUnits& units,
                             Trust trust) {
-  const Loaded radiation = load_beside(path, ".1", trust), excitation = load_beside(path, ".3", trust);
-  std::filesystem::path beside = path;
-  std::error_code status;
-  std::optional<Loaded> restoring;
-  if (std::filesystem::exists(beside.replace_extension(".hst"), status))
-    restoring = load_beside(path, ".hst", trust);
-  return hydrodynamics::parse_wamit(radiation.view(), excitation.view(),
-                                    restoring ? std::optional(restoring->view()) : std::nullopt, units);
+  std::vector<Loaded> files;
+  for (const std::filesystem::path& file : hydrodynamic_files(path)) {
+    if (file != path) require_beside(path, file, trust);
+    files.push_back({file.string(), read_whole_file(file, expectation)});
+  }
+  return hydrodynamics::parse_wamit(files[0].view(), files[1].view(),
+                                    files.size() > 2 ? std::optional(files[2].view()) : std::nullopt, units);
 }
 
 HydrodynamicFile read(const std::filesystem::path& path, const hydrodynamics::WamitUnits& units,
                       Trust trust) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".1" || extension == ".3" || extension == ".hst") return read_wamit(path, units, trust);
+  if (is_wamit(path)) return read_wamit(path, units, trust);
   const std::string name = path.string(), bytes = read_whole_file(path, expectation);
   if (is_hdf5(bytes) && trust == Trust::untrusted) {
     throw Error(ErrorKind::bad_input,
@@ -77,6 +73,18 @@ HydrodynamicFile read(const std::filesystem::path& path, const hydrodynamics::Wa
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> hydrodynamic_files(const std::filesystem::path& path) {
+  if (!is_wamit(path)) return {path};
+  std::vector<std::filesystem::path> files;
+  for (const char* extension : {".1", ".3", ".hst"}) {
+    files.push_back(path);
+    files.back().replace_extension(extension);
+  }
+  std::error_code status;
+  if (!std::filesystem::exists(files.back(), status)) files.pop_back();
+  return files;
+}
 
 HydrodynamicFile read_hydrodynamics(const std::filesystem::path& path, const hydrodynamics::WamitUnits& units,
                                     Trust trust) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "host/io/file_trust.h"
 #include "host/io/hydrodynamics/hydrodynamic_table.h"
@@ -18,5 +19,9 @@ namespace offing {
 hydrodynamics::HydrodynamicFile read_hydrodynamics(const std::filesystem::path& path,
                                                    const hydrodynamics::WamitUnits& units = {},
                                                    Trust trust = Trust::trusted);
+
+/// All that read_hydrodynamics() reads for `path`: with WAMIT's output NAME.1, NAME.3 and, if it is there,
+/// NAME.hst.
+std::vector<std::filesystem::path> hydrodynamic_files(const std::filesystem::path& path);
 
 }  // namespace offing

@@ -1,13 +1,17 @@
 #include "host/scene/file/scene_hash.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL  // the header is the library
 #include <xxhash.h>
 
+#include "host/io/hydrodynamics/read_hydrodynamics.h"
 #include "host/io/whole_file.h"
 #include "host/scene/file/version.h"
+#include "host/scene/model/named_file.h"
 #include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
@@ -26,13 +30,32 @@ std::string digits_of(const XXH128_hash_t& hash) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-/// Of a file of a hull, which may change under the same name.
-void append_content(fmt::memory_buffer& text, const std::string& file) {
-  if (file.empty()) return;
-  const std::string bytes =
-      read_whole_file(file, {.kind = "a file of a hull", .most_bytes = std::size_t{1} << 36});
+/// Files may change under the same name.
+void append_content(fmt::memory_buffer& text, const std::filesystem::path& file, std::string_view kind) {
+  const std::string bytes = read_whole_file(file, {.kind = kind, .most_bytes = std::size_t{1} << 36});
   fmt::format_to(std::back_inserter(text), "content {}\n",
                  digits_of(XXH3_128bits(bytes.data(), bytes.size())));
+}
+
+void append_files_of_bodies(fmt::memory_buffer& text, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const MeshScene& mesh = scene.meshes[i];
+    const auto is_its_hull = [&](const BodyScene& body) {
+      return body.mesh.empty() || body.mesh == mesh.name;
+    };
+    if (mesh.file.empty() || std::ranges::none_of(scene.bodies, is_its_hull)) continue;
+    read_named(scene, {"mesh.file", {i, 0}}, "a mesh", mesh.file,
+               [&] { append_content(text, mesh.file, "a mesh"); });
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::string& data = scene.bodies[i].hydrodynamics;
+    if (data.empty()) continue;
+    read_named(scene, {"body.hydrodynamics", {i, 0}}, "a file of hydrodynamic data", data, [&] {
+      for (const std::filesystem::path& file : hydrodynamic_files(data)) {
+        append_content(text, file, "a file of hydrodynamic data");
+      }
+    });
+  }
 }
 
 }  // namespace
@@ -83,10 +106,7 @@ std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view outp
     const XXH128_hash_t of_modes = XXH3_128bits(numbers.data(), numbers.size() * sizeof(double));
     fmt::format_to(out, "modes {}\n", digits_of(of_modes));
   }
-  if (share_a_bit(what, Affects::bodies) && !scene.bodies.empty()) {
-    for (const MeshScene& mesh : scene.meshes) append_content(text, mesh.file);
-    for (const BodyScene& body : scene.bodies) append_content(text, body.hydrodynamics);
-  }
+  if (share_a_bit(what, Affects::bodies)) append_files_of_bodies(text, scene);
   return digits_of(XXH3_128bits(text.data(), text.size()));
 }
 
