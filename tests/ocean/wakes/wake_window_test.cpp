@@ -450,6 +450,34 @@ TEST_P(WakeMethodTest, FoamStaysBehindAHullAndFades) {
   EXPECT_GT(after / before, 0.55f);
 }
 
+// Fails if a hull at one edge of a window makes foam at the opposite one, which lies beside it in memory. The
+// time is too short for steep waves.
+TEST(WakeWindowTest, HullsMakeNoFoamBeyondAnEdge) {
+  const ocl::Device device = ocl::Device::open();
+  const WakeParameters parameters{.cells = 128, .length_m = 64.0, .step_s = 0.025};
+  WakeWindow window(device, parameters);
+  const auto forcing_at = [&](double time_s) {
+    WakeForcing forcing = nothing_at_middle(parameters);
+    forcing.hulls = {{.x_m = 0.5,
+                      .z_m = 32.0 + 10.0 * time_s,
+                      .heading_rad = 0.5 * pi,
+                      .length_m = 12.0,
+                      .beam_m = 4.0,
+                      .draught_m = 0.3}};
+    return forcing;
+  };
+  window.reset(0.0, forcing_at(0.0).centre);
+  window.advance_to(0.075, forcing_at);
+  const std::vector<float> foam = window.read(0.075).foam;
+  float at_hull = 0.0f, opposite = 0.0f;
+  for (std::size_t i = 0; i < foam.size(); ++i) {
+    float& most = i % 128 < 64 ? at_hull : opposite;
+    most = std::max(most, foam[i]);
+  }
+  EXPECT_GT(at_hull, 0.1f);
+  EXPECT_EQ(opposite, 0.0f);
+}
+
 // Fails if a hull at walking pace, rain, or a window without foam makes foam.
 TEST_P(WakeMethodTest, SlowHullsAndRainMakeNoFoam) {
   const auto most_after = [&](double speed_mps, const WakeParameters& parameters) {
