@@ -10,6 +10,10 @@
 // Beyond this many half lengths nothing is left of a Gaussian: e^-16.
 #define WAKE_GAUSSIAN_REACH 4.0f
 
+// What turbulence mixes between neighbours at most in one launch: explicit diffusion is stable up to a
+// quarter.
+#define WAKE_MOST_MIXED 0.2f
+
 // Rain falls at most once a step on each square of this many cells a side.
 #define WAKE_RAIN_SQUARE 8
 // Radius of what a drop presses, in cells: the shortest waves that a window shows well.

@@ -33,8 +33,7 @@ constexpr double foam_step_s = 1.0 / 30.0;
 constexpr double breaking_step_s = 0.1;
 // The longest waves that break at their full rate.
 constexpr double longest_breaking_m = 10.0;
-// MOST_MIXED of ocean/wakes/wake_break.cl: what a neighbour takes at most.
-constexpr double most_mixed = 0.2;
+constexpr double most_mixed = WAKE_MOST_MIXED;
 
 /// How many steps there are in this time, 1 at least.
 std::int64_t steps_in(double time_s, const WakeParameters& parameters) {
@@ -405,8 +404,7 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
   if (step_ % every != 0) return;
   const double since_s = static_cast<double>(every) * parameters_.step_s;
   const double cell_m = parameters_.cell_m();
-  // Explicit diffusion is stable up to a quarter.
-  const double spread = std::min(foam_diffusion_m2ps * since_s / (cell_m * cell_m), 0.2);
+  const double spread = std::min(foam_diffusion_m2ps * since_s / (cell_m * cell_m), most_mixed);
   growth_.fill(0.0f);
   // Nothing is known of the time before the first one.
   if (foam_step_number_) {

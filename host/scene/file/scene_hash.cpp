@@ -1,8 +1,8 @@
 #include "host/scene/file/scene_hash.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL  // the header is the library
@@ -12,6 +12,7 @@
 #include "host/io/whole_file.h"
 #include "host/scene/file/version.h"
 #include "host/scene/model/named_file.h"
+#include "host/scene/prepare/scene_bodies.h"
 #include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
@@ -30,31 +31,27 @@ std::string digits_of(const XXH128_hash_t& hash) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-/// Files may change under the same name.
-void append_content(fmt::memory_buffer& text, const std::filesystem::path& file, std::string_view kind) {
-  const std::string bytes = read_whole_file(file, {.kind = kind, .most_bytes = std::size_t{1} << 36});
-  fmt::format_to(std::back_inserter(text), "content {}\n",
-                 digits_of(XXH3_128bits(bytes.data(), bytes.size())));
+/// Files may change under the name by which the scene has them.
+void append_content(fmt::memory_buffer& text, const Scene& scene, const ValueKey& key, const char* kind,
+                    const std::string& name, const std::vector<std::filesystem::path>& files) {
+  read_named(scene, key, kind, name, [&] {
+    for (const std::filesystem::path& file : files) {
+      const std::string bytes = read_whole_file(file, {.kind = kind, .most_bytes = std::size_t{1} << 36});
+      fmt::format_to(std::back_inserter(text), "content {}\n",
+                     digits_of(XXH3_128bits(bytes.data(), bytes.size())));
+    }
+  });
 }
 
 void append_files_of_bodies(fmt::memory_buffer& text, const Scene& scene) {
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const MeshScene& mesh = scene.meshes[i];
-    const auto is_its_hull = [&](const BodyScene& body) {
-      return body.mesh.empty() || body.mesh == mesh.name;
-    };
-    if (mesh.file.empty() || std::ranges::none_of(scene.bodies, is_its_hull)) continue;
-    read_named(scene, {"mesh.file", {i, 0}}, "a mesh", mesh.file,
-               [&] { append_content(text, mesh.file, "a mesh"); });
-  }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const std::string& data = scene.bodies[i].hydrodynamics;
-    if (data.empty()) continue;
-    read_named(scene, {"body.hydrodynamics", {i, 0}}, "a file of hydrodynamic data", data, [&] {
-      for (const std::filesystem::path& file : hydrodynamic_files(data)) {
-        append_content(text, file, "a file of hydrodynamic data");
-      }
-    });
+    const std::size_t mesh = mesh_of_body(scene, i);
+    if (const std::string& hull = scene.meshes[mesh].file; !hull.empty())
+      append_content(text, scene, {"mesh.file", {mesh, 0}}, "a mesh", hull, {hull});
+    if (const std::string& data = scene.bodies[i].hydrodynamics; !data.empty()) {
+      append_content(text, scene, {"body.hydrodynamics", {i, 0}}, "a file of hydrodynamic data", data,
+                     hydrodynamic_files(data));
+    }
   }
 }
 

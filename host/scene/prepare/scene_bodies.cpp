@@ -84,23 +84,6 @@ std::vector<std::string> names_of_bodies(const Scene& scene) {
   return names;
 }
 
-std::size_t mesh_of(const Scene& scene, std::size_t index) {
-  const std::string& name = scene.bodies[index].mesh;
-  const auto mesh =
-      name.empty() ? scene.meshes.begin() : std::ranges::find(scene.meshes, name, &MeshScene::name);
-  if (mesh != scene.meshes.end()) return static_cast<std::size_t>(mesh - scene.meshes.begin());
-  std::vector<std::string> names;
-  for (const MeshScene& each : scene.meshes) {
-    if (!each.name.empty()) names.push_back(each.name);
-  }
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected the name of a [[mesh]], got \"{}\"",
-                          place_of_name(scene, {"body.mesh", {index, 0}}), name),
-              hint_of_names(name, names,
-                            scene.meshes.empty() ? "add a [[mesh]] of this name"
-                                                 : "no [[mesh]] has a name: give one this name"));
-}
-
 void require_other_mesh(const Scene& scene, const std::vector<world::BodySettings>& known, std::size_t mesh) {
   if (std::ranges::find(known, mesh, &world::BodySettings::mesh) == known.end()) return;
   throw Error(ErrorKind::bad_input,
@@ -199,6 +182,23 @@ bool are_other_bodies(const Scene& before, const Scene& after) {
 
 }  // namespace
 
+std::size_t mesh_of_body(const Scene& scene, std::size_t body) {
+  const std::string& name = scene.bodies[body].mesh;
+  const auto mesh =
+      name.empty() ? scene.meshes.begin() : std::ranges::find(scene.meshes, name, &MeshScene::name);
+  if (mesh != scene.meshes.end()) return static_cast<std::size_t>(mesh - scene.meshes.begin());
+  std::vector<std::string> names;
+  for (const MeshScene& each : scene.meshes) {
+    if (!each.name.empty()) names.push_back(each.name);
+  }
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected the name of a [[mesh]], got \"{}\"",
+                          place_of_name(scene, {"body.mesh", {body, 0}}), name),
+              hint_of_names(name, names,
+                            scene.meshes.empty() ? "add a [[mesh]] of this name"
+                                                 : "no [[mesh]] has a name: give one this name"));
+}
+
 double run_up_s(const Scene& scene) {
   double longest_s = least_run_up_s;
   for (const WakeScene& wake : scene.ocean.wakes) longest_s = std::max(longest_s, wake.history_s);
@@ -215,7 +215,7 @@ std::vector<world::BodySettings> prepare_bodies(const Scene& scene,
                 "add an [ocean] section to the scene");
   }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const std::size_t mesh = mesh_of(scene, i);
+    const std::size_t mesh = mesh_of_body(scene, i);
     require_other_mesh(scene, prepared, mesh);
     try {
       prepared.push_back(settings_of(scene, i, mesh, meshes.at(mesh)));

@@ -7,6 +7,10 @@
 
 namespace offing::scene {
 
+/// Which mesh a body moves: the first one if the body names none. Throws Error(bad_input) that names the
+/// place in the scene for a mesh that it does not have.
+std::size_t mesh_of_body(const Scene& scene, std::size_t body);
+
 /// The bodies of a scene; `meshes` are those of prepare_meshes(). Throws Error(bad_input) that names the
 /// place in the scene for a mesh that it does not have, two bodies of one mesh, one that is no hull, one that
 /// sinks, bodies without a sea, and meshes aboard of none.

@@ -1,6 +1,6 @@
 // Steep waves of a wake window break: turbulence lowers them towards the slope at which breaking begins. It works as an eddy
 // viscosity between samples (Tian et al. 2010), which keeps the volume and takes energy. The steepest waves fade at a rate of 1/e
-// in a period of deep water, or more slowly where MOST_MIXED limits it.
+// in a period of deep water, or more slowly where WAKE_MOST_MIXED limits it.
 // In:  grid; state [n][n] float2: height h and second field, whose squares add up to that of the local amplitude A; displaced
 //      [n][n] m, by hulls alone; gravity, m/s^2; the time from one launch to the next, s.
 // Out: next [n][n], as state. Global size: n / RUN, n.
@@ -9,8 +9,6 @@
 
 // Samples of a row that a work-item takes.
 #define RUN 16
-// Explicit diffusion is stable up to a quarter.
-#define MOST_MIXED 0.2f
 
 // What flows from a neighbour, some rows or columns on.
 static inline float2 mixed_from(const WakeWater *water, float gravity_mps2, float since_s, int row, int column, int rows,
@@ -23,7 +21,7 @@ static inline float2 mixed_from(const WakeWater *water, float gravity_mps2, floa
   const float length_m = sqrt(0.5f * (dot(here, here) + dot(there, there))) / slope;
   const float viscosity_m2ps =
       ramp(BREAKING_SLOPE, STEEPEST_SLOPE, slope) * sqrt(gravity_mps2 * length_m) * length_m / 6.2831853f;
-  return fmin(viscosity_m2ps * since_s / (water->cell_m * water->cell_m), MOST_MIXED) * (there - here);
+  return fmin(viscosity_m2ps * since_s / (water->cell_m * water->cell_m), WAKE_MOST_MIXED) * (there - here);
 }
 
 static inline float largest(float16 values) {

@@ -76,7 +76,7 @@ TEST_P(WakeMethodTest, StepsAreThoseOfTheReference) {
   EXPECT_LT(worst_m / most_m, 2e-5);
 }
 
-/// A wave of this many cycles along x in a window of 64 x 64 samples. A bell keeps the border out of it; its
+/// A wave of this many cycles along x in a window 64 m wide. A bell keeps the border out of it; its
 /// width spreads k by less than a mode.
 WakeState bell_of_waves(int cycles, double slope, int cells = 64) {
   const double k = 2.0 * pi * cycles / 64.0, cell_m = 64.0 / cells;
