@@ -252,25 +252,22 @@ WakeStep::WakeStep(const ocl::Device& device, const fft::FftPlan& plan, const st
       column_twiddles_(device, plan.columns().twiddles, "column twiddles"),
       row_twiddles_(device, plan.rows().twiddles, "row twiddles"),
       turn_(device, turn, "turns of modes"),
-      intermediate_(device, plan.intermediate_floats(), "transform intermediate"),
-      spectrum_(device, turn.size(), "modes of a wake") {
-  const auto kernel = [&](const char* source, const char* name, ocl::Defines defines, bool is_forward) {
-    if (is_forward) defines.set_flag("FFT_FORWARD");
+      intermediate_(device, plan.intermediate_floats(), "transform intermediate") {
+  const auto kernel = [&](const char* source, const char* name, const ocl::Defines& defines) {
     return ocl::Program::build(device, source, defines).kernel(name);
   };
   const ocl::Defines &columns = plan.columns().defines, &rows = plan.rows().defines;
-  press_columns_ = kernel("ocean/wakes/wake_press_columns.cl", "wake_press_columns", columns, true);
-  turn_rows_ = kernel("ocean/wakes/wake_turn_rows.cl", "wake_turn_rows", rows, true);
-  inverse_columns_ = kernel("fft/transform_columns.cl", "transform_columns", columns, false);
-  settle_rows_ = kernel("ocean/wakes/wake_settle_rows.cl", "wake_settle_rows", rows, false);
+  press_columns_ = kernel("ocean/wakes/wake_press_columns.cl", "wake_press_columns", columns);
+  turn_rows_ = kernel("ocean/wakes/wake_turn_rows.cl", "wake_turn_rows", rows);
+  settle_columns_ = kernel("ocean/wakes/wake_settle_columns.cl", "wake_settle_columns", columns);
 }
 
 void WakeStep::advance(const WakeGrid& grid, const ocl::Buffer<float>& displaced,
                        const ocl::Buffer<float>& kept, ocl::Buffer<float>& state) {
   press_columns_.launch(columns_shape_, state, displaced, intermediate_, column_twiddles_, scratch_);
-  turn_rows_.launch(rows_shape_, intermediate_, row_twiddles_, turn_, spectrum_);
-  inverse_columns_.launch(columns_shape_, spectrum_, intermediate_, column_twiddles_, scratch_);
-  settle_rows_.launch(rows_shape_, intermediate_, row_twiddles_, grid, displaced, kept, state);
+  turn_rows_.launch(rows_shape_, intermediate_, row_twiddles_, turn_);
+  settle_columns_.launch(columns_shape_, grid, displaced, kept, state, intermediate_, column_twiddles_,
+                         scratch_);
 }
 
 WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& parameters)
@@ -289,7 +286,7 @@ WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& paramete
   foam_step_ = kernel("ocean/wakes/wake_foam.cl", "wake_foam");
   shown_ = kernel("ocean/wakes/wake_shown.cl", "wake_shown");
   WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
-  // Twice: see ocean/wakes/wake_settle_rows.cl.
+  // Twice: see ocean/wakes/wake_settle_columns.cl.
   border.kept.insert(border.kept.end(), border.kept.begin(), border.kept.begin() + parameters_.cells);
   kept_ = ocl::Buffer<float>(device, border.kept, "wake border");
   blend_ = ocl::Buffer<float>(device, border.blend, "wake blend");

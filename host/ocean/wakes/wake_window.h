@@ -91,17 +91,17 @@ class WakeStep {
   WakeStep(const ocl::Device& device, int cells, const std::vector<float>& turn);
 
   /// Enqueues a step of `state` [n][n][2] under `displaced` [n][n] m; `kept` [2][n] as
-  /// kernels/ocean/wakes/wake_settle_rows.cl says.
+  /// kernels/ocean/wakes/wake_settle_columns.cl says.
   void advance(const WakeGrid& grid, const ocl::Buffer<float>& displaced, const ocl::Buffer<float>& kept,
                ocl::Buffer<float>& state);
 
  private:
   WakeStep(const ocl::Device& device, const fft::FftPlan& plan, const std::vector<float>& turn);
 
-  ocl::Kernel press_columns_, turn_rows_, inverse_columns_, settle_rows_;
+  ocl::Kernel press_columns_, turn_rows_, settle_columns_;
   ocl::LaunchShape columns_shape_, rows_shape_;
   ocl::LocalMemory scratch_;
-  ocl::Buffer<float> column_twiddles_, row_twiddles_, turn_, intermediate_, spectrum_;
+  ocl::Buffer<float> column_twiddles_, row_twiddles_, turn_, intermediate_;
 };
 
 /// A square of water that bodies and rain disturb, and that moves with them in whole cells (O14 of
