@@ -501,7 +501,9 @@ std::vector<HullMatrix> retardation(const HydrodynamicData& data, double step_s,
       for (std::size_t i = 0; i < value.size(); ++i)
         value[i] = high[i] * std::pow(last / frequency, power[i]);
     }
-    const double weight = 2.0 / pi * step * (k == samples ? 0.5 : 1.0);
+    // To 0 without a step: its ringing would be damping below 0.
+    const double beyond = std::max(frequency / last - 2.0, 0.0);
+    const double weight = 2.0 / pi * step * (0.5 + 0.5 * std::cos(pi * beyond));
     for (double& entry : value) entry *= weight;
     // cos(n a) by its recurrence.
     const double a = frequency * step_s, twice = 2.0 * std::cos(a);
