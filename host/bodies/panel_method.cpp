@@ -501,7 +501,8 @@ std::vector<HullMatrix> retardation(const HydrodynamicData& data, double step_s,
       for (std::size_t i = 0; i < value.size(); ++i)
         value[i] = high[i] * std::pow(last / frequency, power[i]);
     }
-    // To 0 without a step: its ringing would be damping below 0.
+    // A half cosine leads B to 0 between 2 and 3 times the last frequency. At a step, B of the sampled memory
+    // would ring below 0.
     const double beyond = std::max(frequency / last - 2.0, 0.0);
     const double weight = 2.0 / pi * step * (0.5 + 0.5 * std::cos(pi * beyond));
     for (double& entry : value) entry *= weight;

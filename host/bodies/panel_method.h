@@ -36,9 +36,9 @@ HullMatrix added_mass_at(const HydrodynamicData& data, double frequency_radps);
 HullMatrix damping_at(const HydrodynamicData& data, double frequency_radps);
 HullWrench excitation_at(const HydrodynamicData& data, double frequency_radps, double direction_rad);
 
-/// K(t) = 2 / pi integral of B(omega) cos(omega t) d omega (Cummins 1962, Ogilvie 1964) at 0, step_s, 2
-/// step_s
-/// ...: B rises from 0 as its first values do, and falls beyond the last as a power that fits the last ones.
+/// K(t) = 2 / pi integral of B(omega) cos(omega t) d omega (Cummins 1962, Ogilvie 1964) at 0, step_s,
+/// 2 step_s, ...: B rises from 0 as its first values do, and falls beyond the last as a power that fits the
+/// last ones, led to 0 between 2 and 3 times the last frequency.
 std::vector<HullMatrix> retardation(const HydrodynamicData& data, double step_s, std::size_t count);
 
 /// Added mass at infinite frequency, of data that lack it (Ogilvie 1964): the mean over the upper half of the

@@ -83,8 +83,8 @@ struct WakeState {
   std::vector<float> height_m, second_m;
 };
 
-/// The step of a wake window whose modes move each by itself: to modes, on by a step, and back, in the four
-/// passes of two transforms (kernels/fft), so that a small window does not wait for launches.
+/// The step of a wake window whose modes move each by itself: to modes, on by a step, and back. The rows of
+/// both transforms are one pass (kernels/fft), so that a small window hardly waits for launches.
 class WakeStep {
  public:
   /// `turn` [n][n][2]: what each mode is multiplied by in a step, over n^2. Throws what Fft2d throws.

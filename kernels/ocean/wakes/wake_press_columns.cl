@@ -1,7 +1,7 @@
 // First pass of a step of a wake window, the forward transform's: columns of its water, from the level that it would rest at under
 // what presses it.
 // In:  state [n][n] float2 of ocean/wakes/wake_settle_columns.cl; displaced [n][n] m of ocean/wakes/wake_displace.cl.
-// Out: intermediate [n][2][FFT_PITCH], columns transformed along z. Build with -DFFT_FORWARD (fft/columns.clh).
+// Out: intermediate [n][2][FFT_PITCH], columns transformed along z.
 #include "fft/one_field.clh"
 
 #define STATE_AT(row, column) (state + ((size_t)(row) * FFT_SIZE + (column)) * 2)
