@@ -107,5 +107,64 @@ TEST_F(ReferenceComparisonTest, RefusesWhatCannotBeCompared) {
               HasSubstr("expected --compare-reference"));
 }
 
+/// Where the sun stands, and how far a picture may be from the paths: its mean light, and the root of the
+/// mean square error of blocks over their mean.
+struct SunCase {
+  double azimuth_deg, elevation_deg, mean_limit, rms_limit;
+};
+
+class CloudPictureTest : public ReferenceComparisonTest, public testing::WithParamInterface<SunCase> {};
+
+double luminance_at(const ExrContent& light, const std::string& layer, std::size_t texel) {
+  return 0.2126 * light.channel(layer + ".R")[texel] + 0.7152 * light.channel(layer + ".G")[texel] +
+         0.0722 * light.channel(layer + ".B")[texel];
+}
+
+// The cumulus of scenes/cumulus.toml, in blocks of 8 x 8 pixels of which 2 % show cloud. Limits: mean 7 %,
+// rms 0.12 from the side, 0.11 from the front, 0.14 from behind; at suns that nothing was fitted to 10 % and
+// 0.16. Measured, of which noise of the paths is 0.01 or less: 0.116, 0.082, 0.077; then 0.101, 0.125 and
+// 0.067. Fails if light does not reach the right parts of a cloud.
+TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
+  constexpr std::size_t width = 160, height = 90, block = 8;
+  const SunCase& sun = GetParam();
+  std::ofstream(path("scene.toml")) << "version = 1\n[sun]\nazimuth_deg = " << sun.azimuth_deg
+                                    << "\nelevation_deg = " << sun.elevation_deg
+                                    << "\n[camera]\ny_m = 250\nz_m = 2350\npitch_deg = 17\nfov_deg = 45\n"
+                                       "[wind]\nspeed_mps = 6\n[ocean]\n[[cloud]]\ngenus = \"cumulus\"\n"
+                                       "y_m = 650\n";
+  const ProgramResult result = run_offing({path("scene.toml"), "--compare-reference", "-o", path("compared"),
+                                           "--size", "160x90", "--samples", "256", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const ExrContent light = read_exr(path("compared/compared.exr"));
+  double drawn = 0.0, reference = 0.0, squares = 0.0, blocks = 0.0;
+  for (std::size_t row = 0; row + block <= height; row += block) {
+    for (std::size_t column = 0; column < width; column += block) {
+      double ours = 0.0, right = 0.0, covered = 0.0;
+      for (std::size_t i = 0; i < block * block; ++i) {
+        const std::size_t texel = (row + i / block) * width + column + i % block;
+        ours += luminance_at(light, "drawn", texel);
+        right += luminance_at(light, "reference", texel);
+        covered += light.channel("reference.A")[texel];
+      }
+      if (covered < 0.02 * block * block) continue;
+      drawn += ours;
+      reference += right;
+      squares += (ours - right) * (ours - right);
+      blocks += 1.0;
+    }
+  }
+  ASSERT_GT(blocks, 20.0);
+  const double rms = std::sqrt(squares / blocks) / (reference / blocks);
+  EXPECT_NEAR(drawn / reference, 1.0, sun.mean_limit);
+  EXPECT_LT(rms, sun.rms_limit);
+  RecordProperty("mean", std::to_string(drawn / reference));
+  RecordProperty("rms", std::to_string(rms));
+}
+
+INSTANTIATE_TEST_SUITE_P(Suns, CloudPictureTest,
+                         testing::Values(SunCase{75, 35, 0.07, 0.12}, SunCase{170, 35, 0.07, 0.11},
+                                         SunCase{10, 15, 0.07, 0.14}, SunCase{40, 60, 0.1, 0.16},
+                                         SunCase{110, 10, 0.1, 0.16}, SunCase{150, 60, 0.1, 0.16}));
+
 }  // namespace
 }  // namespace offing::test
