@@ -39,7 +39,7 @@ using Clock = std::chrono::steady_clock;
 /// scene that names its key, else in the one that names its section.
 struct BaseScene {
   std::string_view names;  // separated by spaces
-  std::string_view text;   // MEASURED, MAP, GRID and STORE stand for files
+  std::string_view text;   // MEASURED, MAP, GRID, STORE and WAMIT stand for files
 };
 
 constexpr BaseScene bases[] = {
@@ -93,6 +93,9 @@ constexpr BaseScene bases[] = {
     {"body body.mooring",
      "[ocean]\nsize = 32\n[[mesh]]\nname = \"box\"\nshape = \"box\"\n[[body]]\nmesh = "
      "\"box\"\n[[body.mooring]]\n"},
+    {"body.hydrodynamics_length_m",
+     "[ocean]\nsize = 32\n[[mesh]]\nname = \"box\"\nshape = \"box\"\n[[body]]\nmesh = "
+     "\"box\"\nhydrodynamics = \"WAMIT\"\n"},
     {"clouds cloud cloud.ball cloud.level cloud.particle_edit",
      "[time]\nstart_s = 10\n[clouds]\nquality = 0.1\n[[cloud]]\ngenus = \"cumulus\"\nheat_k = "
      "1\nobstacle_m = [0, 900, 0]\nwind_mps = [1, 0, 0]\n"
@@ -258,7 +261,8 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     for (const auto& [name, path] :
          {std::pair("MEASURED", std::string(OFFING_SCENES "/example_sea.data_spec")),
           std::pair("MAP", file("map.r16")), std::pair("GRID", file("map.asc")),
-          std::pair("STORE", file("store"))}) {
+          std::pair("STORE", file("store")),
+          std::pair("WAMIT", std::string(OFFING_HYDRODYNAMICS "/box.1"))}) {
       if (const std::size_t at = text.find(name); at != std::string::npos)
         text.replace(at, std::string(name).size(), path);
     }
