@@ -7,12 +7,7 @@
 #include "fft/one_field.clh"
 #include "ocean/wakes/wake_place.clh"
 
-#define FFT_COLUMN_LOAD(field, slot, row, column, re, im)                               \
-  {                                                                                     \
-    __global const float *source = intermediate + FFT_INTERMEDIATE(batch, row, column); \
-    re = load_lanes(source);                                                            \
-    im = load_lanes(source + FFT_PITCH);                                                \
-  }
+#define FFT_COLUMN_LOAD(field, slot, row, column, re, im) FFT_LOAD_INTERMEDIATE(batch, row, column, re, im)
 #define FFT_COLUMN_STORE(field, row, column, re, im)                                               \
   {                                                                                                \
     const size_t place = (size_t)(row) * FFT_SIZE + (column);                                      \
@@ -22,10 +17,7 @@
     const lanes second = share * im;                                                               \
     FIELD_JOIN(height, second, state + 2 * place)                                                  \
   }
-#define FFT_COLUMN_PREFETCH(row, column)                                              \
-  {                                                                                   \
-    prefetch_line(displaced + (size_t)(row) * FFT_SIZE + (column));                   \
-  }
+#define FFT_COLUMN_PREFETCH(row, column) prefetch_line(displaced + (size_t)(row) * FFT_SIZE + (column));
 #define FFT_COLUMN_KERNEL wake_settle_columns
 #define FFT_COLUMN_PARAMETERS                                                                   \
   WakeGrid grid, __global const float *restrict displaced, __global const float *restrict kept, \

@@ -18,12 +18,7 @@
     re = x * cosine - y * sine;                                                       \
     im = x * sine + y * cosine;                                                       \
   }
-#define FFT_ROW_STORE(row, column, re, im)                                        \
-  {                                                                               \
-    __global float *target = intermediate + FFT_INTERMEDIATE(batch, row, column); \
-    store_lanes(re[0], target);                                                   \
-    store_lanes(im[0], target + FFT_PITCH);                                       \
-  }
+#define FFT_ROW_STORE(row, column, re, im) FFT_STORE_INTERMEDIATE(batch, row, column, re[0], im[0])
 #define FFT_ROW_KERNEL wake_turn_rows
 #define FFT_ROW_PARAMETERS __global const float *restrict turn
 #include "fft/rows.clh"

@@ -127,11 +127,15 @@ double luminance_at(const ExrContent& light, const std::string& layer, std::size
 TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
   constexpr std::size_t width = 160, height = 90, block = 8;
   const SunCase& sun = GetParam();
-  std::ofstream(path("scene.toml")) << "version = 1\n[sun]\nazimuth_deg = " << sun.azimuth_deg
-                                    << "\nelevation_deg = " << sun.elevation_deg
-                                    << "\n[camera]\ny_m = 250\nz_m = 2350\npitch_deg = 17\nfov_deg = 45\n"
-                                       "[wind]\nspeed_mps = 6\n[ocean]\n[[cloud]]\ngenus = \"cumulus\"\n"
-                                       "y_m = 650\n";
+  std::ifstream shipped(OFFING_SCENES "/cumulus.toml");
+  std::string text{std::istreambuf_iterator<char>(shipped), {}};
+  const auto set = [&](const std::string& before, const std::string& after) {
+    ASSERT_NE(text.find(before), std::string::npos) << before;
+    text.replace(text.find(before), before.size(), after);
+  };
+  ASSERT_NO_FATAL_FAILURE(set("azimuth_deg = 75", "azimuth_deg = " + std::to_string(sun.azimuth_deg)));
+  ASSERT_NO_FATAL_FAILURE(set("elevation_deg = 35", "elevation_deg = " + std::to_string(sun.elevation_deg)));
+  std::ofstream(path("scene.toml")) << text;
   const ProgramResult result = run_offing({path("scene.toml"), "--compare-reference", "-o", path("compared"),
                                            "--size", "160x90", "--samples", "256", "--quiet"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
