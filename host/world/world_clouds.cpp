@@ -93,9 +93,59 @@ struct Placed {
 /// where their waves slope by half as much; in a wind of 1 m/s they slope by 0.09 (Cox and Munk 1954).
 constexpr double mirror_rad = 0.02;
 
+/// Particles at a time, the light on them and what of them is marched.
+struct LitClouds {
+  explicit LitClouds(const ocl::Device& on) : device(on), billboards(on), resolved(on) {}
+
+  /// From now on they are to be lit so, by light_further(); of those that `like` marches now volumes are made
+  /// too.
+  void light(std::span<const clouds::CloudIllumination> lights, std::uint32_t count,
+             std::span<const clouds::CloudLook> looks, clouds::LightModel model,
+             clouds::ParticleAlbedo albedo, const LitClouds& like) {
+    by.assign(lights.begin(), lights.end());
+    box.reset();
+    resolved.clear();
+    is_resolved = model != clouds::LightModel::calibrated;
+    has_marched = !is_resolved && clouds::have_marched_cells(looks.size());
+    if (has_marched && !marched) marched.emplace(device, clouds::LightCells::of_marched);
+    billboards.start_relight(placed.particles, count, by, looks, model, albedo);
+    if (has_marched) marched->start_relight(placed.particles, count, by, looks, model, albedo);
+    to_march = like.resolved.marched();
+  }
+
+  std::size_t steps_left() const {
+    return billboards.steps_left() + (has_marched ? marched->steps_left() : 0) + (is_resolved ? 0 : 1) +
+           to_march.size();
+  }
+  void light_further() {
+    if (billboards.steps_left() > 0) {
+      billboards.relight_further();
+    } else if (has_marched && marched->steps_left() > 0) {
+      marched->relight_further();
+    } else if (!is_resolved) {
+      resolved.set(placed.particles, has_marched ? *marched : billboards);
+      is_resolved = true;
+    } else if (!to_march.empty()) {
+      resolved.make(to_march.back());
+      to_march.pop_back();
+    }
+  }
+
+  ocl::Device device;
+  Placed placed;
+  clouds::ParticleLight billboards;
+  std::optional<clouds::ParticleLight> marched;  // in smaller cells; made when first needed
+  bool has_marched = false, is_resolved = false;
+  std::vector<int> to_march;  // whose volumes are still to be made
+  clouds::ResolvedClouds resolved;
+  std::vector<clouds::CloudIllumination> by;  // one a cloud; empty: no light
+  std::optional<clouds::CloudBox> box;        // in this light; read when first needed
+};
+
 /// The light that particles send to an eye.
 struct SentLight {
   std::optional<glm::dvec3> eye_m;  // from the lit particles' origin; nothing: not this light of these
+  bool is_old = false;              // of a light before, which goes part by part
   int parts = 1, parts_left = 0;    // of the sprites: those left are still the light to an eye before
   ocl::Buffer<CloudSprite> sprites;
 };
@@ -115,14 +165,17 @@ enum SeenBy : std::size_t { eye, mirror_image, seen_by_count };
 
 struct WorldClouds::Sky {
   explicit Sky(const ocl::Device& on)
-      : device(on), particle_light(on), resolved(on), orders{SeenOrder(on), SeenOrder(on)} {}
+      : device(on), lit(std::make_unique<LitClouds>(on)), orders{SeenOrder(on), SeenOrder(on)} {}
+
+  bool is_elsewhere(double time_s, const Placed& placed) const {
+    const auto& clouds = parameters.clouds;
+    return !placed.time_s ||
+           (*placed.time_s != time_s && !std::all_of(clouds.begin(), clouds.end(), stands_still));
+  }
 
   /// Whether they were elsewhere.
   bool place(double time_s, Placed& placed) const {
-    const auto& clouds = parameters.clouds;
-    const bool is_same = placed.time_s && (*placed.time_s == time_s ||
-                                           std::all_of(clouds.begin(), clouds.end(), stands_still));
-    if (is_same) return false;
+    if (!is_elsewhere(time_s, placed)) return false;
     std::uint32_t first = 0;
     for (const ModelLevels& levels : models) {
       const CloudModel& model = *levels[halvings];
@@ -138,16 +191,53 @@ struct WorldClouds::Sky {
   }
 
   void forget_light() {
-    lit_by.clear();
+    lit->by.clear();
     has_shadow = false;
-    box.reset();
-    resolved.clear();
+    lit->box.reset();
+    lit->resolved.clear();
+    is_lighting = false;
     forget_sent_light();
+  }
+
+  /// Whether light that is there already may stay while another is worked out.
+  bool keeps_light() const { return lag.cloud_light_frames > 1 && !lit->by.empty(); }
+
+  /// From now on `next` is lit, of this time, while `lit` stays.
+  void start_next(double time_s) {
+    if (!next) next = std::make_unique<LitClouds>(device);
+    if (next->placed.particles.size() != lit->placed.particles.size())
+      next->placed.particles = {device, lit->placed.particles.size(), "lit particles of the sky"};
+    place(time_s, next->placed);
+    next->by.clear();
+    is_lighting = true;
+  }
+
+  void light(LitClouds& clouds, std::span<const clouds::CloudIllumination> of_clouds) {
+    const bool has_own_albedo = std::any_of(
+        models.begin(), models.end(), [](const ModelLevels& levels) { return levels[0]->has_own_albedo(); });
+    clouds.light(of_clouds, count, looks, parameters.light_model,
+                 has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look, *lit);
+  }
+
+  /// The next part of the light of `next`; after the last it takes the place of `lit`.
+  void light_further(std::span<const clouds::CloudIllumination> of_clouds) {
+    if (next->by.empty()) {
+      light(*next, of_clouds);
+      const auto frames = static_cast<std::size_t>(lag.cloud_light_frames);
+      steps_of_frame = (next->steps_left() + frames - 1) / frames;
+    }
+    for (std::size_t i = 0; i < steps_of_frame && next->steps_left() > 0; ++i) next->light_further();
+    if (next->steps_left() > 0) return;
+    std::swap(lit, next);
+    is_lighting = has_shadow = false;
+    for (SentLight& sent : lights) sent.is_old = true, sent.parts_left = 0;
+    forget_orders();
   }
 
   void forget_sent_light() {
     for (SentLight& light : lights) {
       light.eye_m.reset();
+      light.is_old = false;
       light.parts_left = 0;
     }
   }
@@ -155,30 +245,36 @@ struct WorldClouds::Sky {
   /// Whether the lit particles are shown, carried along.
   bool carries() const { return is_one && lag.cloud_steps > 1; }
   const ocl::Buffer<CloudParticle>& shown_particles() const {
-    return carries() ? lit.particles : shown.particles;
+    return carries() ? lit->placed.particles : shown.particles;
   }
   glm::dvec3 shown_origin_m() const { return carries() ? origin_m + carried_m : origin_m; }
 
   /// Sends an eye the light that it lacks, or the next part of it: all parts go to one eye.
   void send(const glm::dvec3& eye_m, SentLight& light) {
     if (light.parts_left == 0) {
-      if (light.eye_m && are_within(lag.cloud_rad, eye_m, *light.eye_m)) return;
+      if (light.eye_m && !light.is_old && are_within(lag.cloud_rad, eye_m, *light.eye_m)) return;
       light.parts = light.parts_left = light.eye_m ? lag.cloud_parts : 1;
       light.eye_m = eye_m;
+      light.is_old = false;
     }
     const auto part = static_cast<std::uint32_t>(light.parts - light.parts_left);
-    particle_light.see(glm::vec3(*light.eye_m), light.sprites,
-                       {part, static_cast<std::uint32_t>(light.parts)});
+    lit->billboards.see(glm::vec3(*light.eye_m), light.sprites,
+                        {part, static_cast<std::uint32_t>(light.parts)});
     --light.parts_left;
   }
 
   /// Whether no particle sees the two, both from the lit particles' origin, farther apart than that.
   bool are_within(double angle_rad, const glm::dvec3& eye_m, const glm::dvec3& other_m) {
     if (angle_rad == 0.0) return eye_m == other_m;
-    if (!box) box = particle_light.box();
+    const std::optional<clouds::CloudBox>& box = lit_box();
     if (!box) return true;
     const glm::dvec3 nearest_m = glm::clamp(eye_m, glm::dvec3(box->low_m), glm::dvec3(box->high_m));
     return glm::distance(eye_m, other_m) <= angle_rad * glm::distance(eye_m, nearest_m);
+  }
+
+  const std::optional<clouds::CloudBox>& lit_box() {
+    if (!lit->box) lit->box = lit->billboards.box();
+    return lit->box;
   }
 
   void sort(const glm::dvec3& eye_m, SeenOrder& of) {
@@ -198,19 +294,19 @@ struct WorldClouds::Sky {
   std::vector<clouds::CloudLook> looks;  // one a cloud
   std::size_t halvings = 0;              // of the particles
   std::uint32_t count = 0;               // of these
-  Placed shown, lit;  // as of the last at(), and where light reaches them; with room for whole clouds
+  Placed shown;                     // as of the last at(); with room for whole clouds, as those that are lit
+  std::unique_ptr<LitClouds> lit;   // in the last light
+  std::unique_ptr<LitClouds> next;  // in the one after; made when first needed
+  bool is_lighting = false;         // `next` is under way
+  std::size_t steps_of_frame = 0;   // of its light
   LightLag lag;
-  bool is_one = false;        // the clouds drift as one
-  glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
-  clouds::ParticleLight particle_light;
-  clouds::ResolvedClouds resolved;                // of `lit`
-  std::array<SentLight, seen_by_count> lights;    // to each of them
-  std::array<SeenOrder, seen_by_count> orders;    // from each of them
-  SeenBy light_of = eye, order_of = eye;          // what the last see() or see_mirrored() chose
-  std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
-  std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
-  std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
-  bool has_shadow = false;                        // of `lit` in this light
+  bool is_one = false;                           // the clouds drift as one
+  glm::dvec3 carried_m{0.0};                     // from `lit` to `shown`
+  std::array<SentLight, seen_by_count> lights;   // to each of them
+  std::array<SeenOrder, seen_by_count> orders;   // from each of them
+  SeenBy light_of = eye, order_of = eye;         // what the last see() or see_mirrored() chose
+  std::optional<clouds::CloudShadowMap> shadow;  // made when first asked for
+  bool has_shadow = false;                       // of `lit`
 };
 
 WorldClouds::WorldClouds(const ocl::Device& device, const CloudSkyParameters& parameters)
@@ -263,7 +359,8 @@ void WorldClouds::set(const CloudSkyParameters& parameters) {
   sky.looks.clear();
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
-  sky.lit = {.time_s = {}, .particles = std::move(lit)};
+  sky.lit->placed = {.time_s = {}, .particles = std::move(lit)};
+  sky.next.reset();
   for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
@@ -282,7 +379,8 @@ void WorldClouds::set_particle_halvings(int halvings) {
   sky.halvings = wanted;
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, wanted));
   sky.shown.time_s.reset();
-  sky.lit.time_s.reset();
+  sky.lit->placed.time_s.reset();
+  sky.next.reset();
   sky.forget_light();
   sky.forget_orders();
 }
@@ -291,16 +389,21 @@ void WorldClouds::set_light_lag(const LightLag& lag) {
   Sky& sky = *sky_;
   if (sky.lag == lag) return;
   sky.lag = lag;
+  sky.is_lighting = false;
   sky.forget_sent_light();
   sky.forget_orders();
 }
 
 void WorldClouds::at(double time_s) {
   Sky& sky = *sky_;
-  if (sky.place(light_time_s(sky.lag.cloud_steps * sky.parameters.light_step_s, time_s), sky.lit))
-    sky.forget_light();
+  const double light_at_s = light_time_s(sky.lag.cloud_steps * sky.parameters.light_step_s, time_s);
+  if (!sky.keeps_light()) {
+    if (sky.place(light_at_s, sky.lit->placed)) sky.forget_light();
+  } else if (!sky.is_lighting && sky.is_elsewhere(light_at_s, sky.lit->placed)) {
+    sky.start_next(light_at_s);
+  }
   const bool has_moved = !sky.carries() && sky.place(time_s, sky.shown);
-  const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
+  const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit->placed.time_s, time_s);
   if (!has_moved && carried_m == sky.carried_m) return;
   sky.carried_m = carried_m;
   sky.forget_orders();
@@ -308,20 +411,21 @@ void WorldClouds::at(double time_s) {
 
 void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
   Sky& sky = *sky_;
-  if (std::ranges::equal(sky.lit_by, of_clouds) || sky.count == 0) return;
-  const bool has_own_albedo =
-      std::any_of(sky.models.begin(), sky.models.end(),
-                  [](const ModelLevels& levels) { return levels[0]->has_own_albedo(); });
-  sky.particle_light.relight(sky.lit.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
-                             has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
-  sky.forget_light();
-  sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
-  sky.forget_orders();
-  if (sky.is_resolved()) {
-    sky.resolved.set(sky.lit.particles, sky.particle_light);
-  } else {
-    sky.resolved.clear();
+  if (sky.count == 0) return;
+  if (sky.is_lighting) {
+    sky.light_further(of_clouds);
+    return;
   }
+  if (std::ranges::equal(sky.lit->by, of_clouds)) return;
+  if (sky.keeps_light()) {
+    sky.start_next(*sky.lit->placed.time_s);
+    sky.light_further(of_clouds);
+    return;
+  }
+  sky.forget_light();
+  sky.light(*sky.lit, of_clouds);
+  while (sky.lit->steps_left() > 0) sky.lit->light_further();
+  sky.forget_orders();
 }
 
 void WorldClouds::light(const clouds::CloudIllumination& of_all) {
@@ -330,44 +434,45 @@ void WorldClouds::light(const clouds::CloudIllumination& of_all) {
 
 void WorldClouds::see(const Camera& camera) {
   Sky& sky = *sky_;
-  if (sky.lit_by.empty()) return;
+  if (sky.lit->by.empty()) return;
   sky.light_of = sky.order_of = eye;
   sky.send(sky.from_lit_m(camera.eye_m), sky.lights[eye]);
   sky.sort(camera.eye_m, sky.orders[eye]);
-  sky.resolved.resolve(camera, sky.origin_m + sky.carried_m);
+  sky.lit->resolved.resolve(camera, sky.origin_m + sky.carried_m);
 }
 
 void WorldClouds::see_mirrored(const Camera& mirrored) {
   Sky& sky = *sky_;
-  if (sky.lit_by.empty()) return;
+  if (sky.lit->by.empty()) return;
   const glm::dvec3 image_m = sky.from_lit_m(mirrored.eye_m);
   const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, -mirrored.eye_m.y, mirrored.eye_m.z});
   sky.light_of = sky.are_within(mirror_rad, eye_m, image_m) ? eye : mirror_image;
   sky.order_of = mirror_image;
   sky.send(sky.light_of == eye ? eye_m : image_m, sky.lights[sky.light_of]);
   sky.sort(mirrored.eye_m, sky.orders[mirror_image]);
-  sky.resolved.resolve(mirrored, sky.origin_m + sky.carried_m);
+  sky.lit->resolved.resolve(mirrored, sky.origin_m + sky.carried_m);
 }
 
 std::span<const clouds::CloudIllumination> WorldClouds::illumination() const {
-  return sky_->lit_by;
+  return sky_->lit->by;
 }
 
 void WorldClouds::cast_shadow() {
   Sky& sky = *sky_;
   if (sky.has_shadow) return;
   // The sun is the first one; others throw no shadows.
-  const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(), [](const auto& light) {
+  const auto lit = std::find_if(sky.lit->by.begin(), sky.lit->by.end(), [](const auto& light) {
     return !light.suns.empty() && light.suns.front().illuminance_klx != glm::dvec3(0.0);
   });
-  if (lit == sky.lit_by.end()) return;
-  if (!sky.box) sky.box = sky.particle_light.box();
-  if (!sky.box) return;
-  const glm::dvec3 low_m(sky.box->low_m), high_m(sky.box->high_m);
+  if (lit == sky.lit->by.end()) return;
+  const std::optional<clouds::CloudBox>& box = sky.lit_box();
+  if (!box) return;
+  const glm::dvec3 low_m(box->low_m), high_m(box->high_m);
   const glm::dvec3 middle_m = 0.5 * (low_m + high_m);
   const double half_width_m = 0.5 * glm::length(high_m - low_m);
   if (!sky.shadow) sky.shadow.emplace(sky.device);
-  sky.shadow->update(sky.lit.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
+  sky.shadow->update(sky.lit->placed.particles, sky.count, lit->suns.front().direction, middle_m,
+                     half_width_m);
   sky.has_shadow = true;
 }
 
@@ -386,7 +491,8 @@ CloudShadowParams WorldClouds::shadow_about(const glm::dvec3& point_m) const {
 }
 
 double WorldClouds::lit_at_s() const {
-  return sky_->lit.time_s.value_or(0.0);
+  const Sky& sky = *sky_;
+  return (sky.is_lighting ? sky.next : sky.lit)->placed.time_s.value_or(0.0);
 }
 
 const ocl::Buffer<CloudParticle>& WorldClouds::particles() const {
@@ -405,7 +511,7 @@ const ocl::Buffer<std::uint32_t>& WorldClouds::order() const {
   return sky_->orders[sky_->order_of].order.order();
 }
 clouds::ResolvedClouds* WorldClouds::resolved() const {
-  return sky_->is_resolved() ? &sky_->resolved : nullptr;
+  return sky_->is_resolved() ? &sky_->lit->resolved : nullptr;
 }
 glm::dvec3 WorldClouds::sky_origin_m() const {
   return sky_->shown_origin_m();

@@ -9,26 +9,22 @@
 #include "simd/lane_exponents.clh"
 #include "clouds/light_entry.clh"
 
-// Cells of the largest plane, and a rim around them where the light has met nothing yet.
-#define PLANE_CELLS (CELLS / CLOUD_LEAST_CELLS)
-#define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
-
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam(
     __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
     __global const CloudLightParams *restrict lights, __global const float *restrict medium,
     __global const float *restrict absorption, __global const float *restrict entries, int clouds, int channels,
     __global float *restrict beams) {
   // What leaves the cells of the plane before and of this one, in turn.
-  __local float leaving[2][RIMMED_CELLS];
+  __local float leaving[2][CLOUD_RIMMED_CELLS(CLOUD_MOST_CELLS)];
   const int cloud = (int)get_group_id(1), item = (int)get_local_id(0);
   const int sun = (int)get_group_id(0) / channels, channel = (int)get_group_id(0) % channels;
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
   const CloudLightSource source = lights[cloud].suns[sun];
   const size_t number = (size_t)cloud * get_num_groups(0) + get_group_id(0);
-  __global const float *extinction = medium + (size_t)cloud * MEDIUM_CELLS + FIRST_LEVEL;
-  __global const float *absorbing = absorption + ((size_t)cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL;
-  __global float *beam = beams + CLOUD_BEAM_MARGIN + number * CELLS;
+  __global const float *extinction = medium + (size_t)cloud * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  __global const float *absorbing = absorption + ((size_t)cloud * channels + channel) * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  __global float *beam = beams + CLOUD_BEAM_MARGIN + number * grid.room;
 
   const float3 way = -(float3)(source.x, source.y, source.z) / grid_cell(grid);
   const float3 speed = fabs(way);

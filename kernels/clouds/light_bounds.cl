@@ -1,12 +1,12 @@
 // The grid of each cloud: a box around its particles, a cell wider on each side, in cells as nearly cubes as powers of
 // two make them: a flat cloud has more across than from top to bottom.
-// In:  particles [count], those of a cloud side by side, clouds in rising order.
+// In:  particles [count], those of a cloud side by side, clouds in rising order; room for cells, how many of them a heap
+//      has, and a flat cloud at most.
 // Out: grids [clouds]; an empty cloud's particles end where they begin.
 // One work-group of GROUP_SIZE a cloud. Places that are not numbers are left out.
 #include "clouds/light_grid.clh"
 
-// A heap has this many cells. A flat cloud has more, up to CELLS, as long as its cells are this much longer than high.
-#define CELLS_OF_HEAP 4096
+// A flat cloud has more cells than a heap as long as its cells are this much longer than high.
 #define LONGEST_CELLS 2.5f
 
 static inline float3 cell_of(float3 extent, int size_x, int size_y, int size_z) {
@@ -27,7 +27,8 @@ static inline int first_of(__global const CloudParticle *restrict particles, int
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_bounds(
-    __global const CloudParticle *restrict particles, int count, __global CloudGrid *restrict grids) {
+    __global const CloudParticle *restrict particles, int count, int room, int cells_of_heap, int cells_of_flat,
+    __global CloudGrid *restrict grids) {
   __local float lows[3 * GROUP_SIZE], highs[3 * GROUP_SIZE];
   const uint cloud = (uint)get_group_id(0);
   const int item = (int)get_local_id(0);
@@ -49,7 +50,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_boun
     const float3 cell = cell_of(high - low, size_x, size_y, size_z);
     const float longest = fmax(cell.x, fmax(cell.y, cell.z)), shortest = fmin(cell.x, fmin(cell.y, cell.z));
     const int cells = size_x * size_y * size_z;
-    if (cells >= (longest > LONGEST_CELLS * shortest ? CELLS : CELLS_OF_HEAP)) break;
+    if (cells >= (longest > LONGEST_CELLS * shortest ? cells_of_flat : cells_of_heap)) break;
     if (cell.x == longest)
       size_x *= 2;
     else if (cell.y == longest)
@@ -59,6 +60,6 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_boun
   }
   const float3 cell = cell_of(high - low, size_x, size_y, size_z);
   low -= cell;
-  const CloudGrid grid = {low.x, low.y, low.z, cell.x, cell.y, cell.z, first, end, size_x, size_y, size_z, 0};
+  const CloudGrid grid = {low.x, low.y, low.z, cell.x, cell.y, cell.z, first, end, size_x, size_y, size_z, room};
   grids[cloud] = grid;
 }

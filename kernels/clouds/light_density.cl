@@ -44,8 +44,8 @@ __kernel void light_density(__global const CloudParticle *restrict particles, __
                             __global const CloudScattering *restrict looks, int channels,
                             __global float *restrict medium, __global float *restrict absorption) {
   const CloudGrid grid = grids[get_global_id(1)];
-  __global float *cells = medium + get_global_id(1) * MEDIUM_CELLS + FIRST_LEVEL;
-  __global float *absorbing = absorption + get_global_id(1) * channels * MEDIUM_CELLS + FIRST_LEVEL;
+  __global float *cells = medium + get_global_id(1) * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  __global float *absorbing = absorption + get_global_id(1) * channels * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
   const int rows = grid.size_y * grid.size_z, items = (int)get_global_size(0);
   const int rows_of_item = (rows + items - 1) / items;
   const int first_row = min((int)get_global_id(0) * rows_of_item, rows);
@@ -56,7 +56,7 @@ __kernel void light_density(__global const CloudParticle *restrict particles, __
   if (channels > 1) {
     for (int channel = 0; channel < channels; ++channel)
       for (int i = first_cell; i < end_cell; i += LANES)
-        store_lanes((lanes)0.0f, absorbing + channel * MEDIUM_CELLS + i);
+        store_lanes((lanes)0.0f, absorbing + channel * MEDIUM_CELLS(grid) + i);
   }
   const float3 a_metre = 1.0f / grid_cell(grid), low = (float3)(grid.low_x, grid.low_y, grid.low_z);
   const float a_volume = a_metre.x * a_metre.y * a_metre.z;
@@ -87,8 +87,8 @@ __kernel void light_density(__global const CloudParticle *restrict particles, __
           add_lanes(here, cells + cell);
           if (channels == 1) continue;
           add_lanes(red * here, absorbing + cell);
-          add_lanes(green * here, absorbing + MEDIUM_CELLS + cell);
-          add_lanes(blue * here, absorbing + 2 * MEDIUM_CELLS + cell);
+          add_lanes(green * here, absorbing + MEDIUM_CELLS(grid) + cell);
+          add_lanes(blue * here, absorbing + 2 * MEDIUM_CELLS(grid) + cell);
         }
       }
     }

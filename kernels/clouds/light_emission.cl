@@ -34,17 +34,17 @@ __kernel void light_emission(__global const CloudGrid *restrict grids, __global 
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
   __global const CloudLightParams *light = lights + cloud;
-  medium += cloud * MEDIUM_CELLS + FIRST_LEVEL;
-  absorption += cloud * channels * MEDIUM_CELLS + FIRST_LEVEL;
-  beams += CLOUD_BEAM_MARGIN + cloud * light->sun_count * channels * CELLS;
-  faces += number * channels * 4 * LEVEL_CELLS;
-  fluence += number * 3 * LEVEL_CELLS;
-  moments += number * 4 * CELLS;
-  emission += number * 4 * CELLS;
+  medium += cloud * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  absorption += cloud * channels * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  beams += CLOUD_BEAM_MARGIN + cloud * light->sun_count * channels * grid.room;
+  faces += number * channels * 4 * LEVEL_CELLS(grid);
+  fluence += number * 3 * LEVEL_CELLS(grid);
+  moments += number * 4 * grid.room;
+  emission += number * 4 * grid.room;
   const int cells = grid.size_x * grid.size_y * grid.size_z;
   const float empty = empty_extinction(grid), lean = 3.0f * look.scaled_mean_cosine;
   for (int cell = (int)get_global_id(0); cell < cells; cell += (int)get_global_size(0)) {
-    const float4 extinction = (float4)(medium[cell]), absorbed = colours_at(absorption, channels, MEDIUM_CELLS, cell);
+    const float4 extinction = (float4)(medium[cell]), absorbed = colours_at(absorption, channels, MEDIUM_CELLS(grid), cell);
     const float4 scattered = (1.0f - look.forward_share) * (extinction - absorbed);
     const float4 scaled = scaled_extinction(look, extinction, absorbed);
     Moments found = {(float4)(0.0f), (float4)(0.0f), (float4)(0.0f), (float4)(0.0f)};
@@ -55,7 +55,7 @@ __kernel void light_emission(__global const CloudGrid *restrict grids, __global 
       const CloudLightSource from = light->suns[sun];
       const float speed =
           fmax(fmax(fabs(from.x) / grid.cell_x, fabs(from.y) / grid.cell_y), fabs(from.z) / grid.cell_z);
-      const float4 lit = colours_at(beams + sun * channels * CELLS, channels, CELLS, cell) *
+      const float4 lit = colours_at(beams + sun * channels * grid.room, channels, grid.room, cell) *
                          (float4)(from.red, from.green, from.blue, 0.0f) * mean_of_beam(0.5f / speed * scaled, channels);
       lit_by_suns.fluence += lit;
       lit_by_suns.x -= from.x * lit;

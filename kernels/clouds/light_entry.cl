@@ -50,8 +50,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_entr
     const float3 between = grid_middle(before) - square.middle;
     const float along = dot(between, way), reach = square.half_width + 0.5f * length(grid_box(before));
     if (along < -reach || dot(between, between) - along * along > reach * reach) continue;
-    __global const float *extinction = medium + (size_t)other * MEDIUM_CELLS + FIRST_LEVEL;
-    __global const float *absorbing = absorption + ((size_t)other * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL;
+    __global const float *extinction = medium + (size_t)other * MEDIUM_CELLS(before) + FIRST_LEVEL(before);
+    __global const float *absorbing = absorption + ((size_t)other * channels + channel) * MEDIUM_CELLS(before) + FIRST_LEVEL(before);
     for (int i = 0; i < TEXELS_OF_ITEM; ++i) {
       const float3 from = entry_place(square, item * TEXELS_OF_ITEM + i);
       const float2 own = way_through(grid, from, way), through = way_through(before, from, way);

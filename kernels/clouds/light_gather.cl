@@ -24,23 +24,23 @@ __kernel void light_gather(__global const CloudGrid *restrict grids, __global co
   const size_t number = get_global_id(1), cloud = first_cloud + number;
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
-  medium += cloud * MEDIUM_CELLS + FIRST_LEVEL;
-  absorption += cloud * channels * MEDIUM_CELLS + FIRST_LEVEL;
-  radiances += number * DIRECTIONS * CELLS;
-  moments += number * 4 * CELLS;
-  sources += number * 3 * LEVEL_CELLS + FIRST_LEVEL;
+  medium += cloud * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  absorption += cloud * channels * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  radiances += number * DIRECTIONS * grid.room;
+  moments += number * 4 * grid.room;
+  sources += number * 3 * LEVEL_CELLS(grid) + FIRST_LEVEL(grid);
   const int cells = grid.size_x * grid.size_y * grid.size_z;
   const float solid_angle = 4.0f * PI / (float)DIRECTIONS;
   for (int cell = (int)get_global_id(0); cell < cells; cell += (int)get_global_size(0)) {
     Moments found = {(float4)(0.0f), (float4)(0.0f), (float4)(0.0f), (float4)(0.0f)};
     for (int direction = 0; direction < DIRECTIONS; ++direction) {
-      const float4 light = solid_angle * radiances[direction * CELLS + cell];
+      const float4 light = solid_angle * radiances[direction * grid.room + cell];
       found.fluence += light;
       found.x += COSINE * direction_sign(direction, 0) * light;
       found.y += COSINE * direction_sign(direction, 1) * light;
       found.z += COSINE * direction_sign(direction, 2) * light;
     }
-    const float4 absorbed = colours_at(absorption, channels, MEDIUM_CELLS, cell), extinction = (float4)(medium[cell]);
+    const float4 absorbed = colours_at(absorption, channels, MEDIUM_CELLS(grid), cell), extinction = (float4)(medium[cell]);
     const float4 share = swept_share(grid, look, extinction, absorbed);
     const Moments before = moments_at(moments, cell);
     found.fluence = mix(before.fluence, found.fluence, share);
@@ -50,7 +50,7 @@ __kernel void light_gather(__global const CloudGrid *restrict grids, __global co
     const float4 more = (1.0f - look.forward_share) * (extinction - absorbed) * (found.fluence - before.fluence);
     store_moments(found, moments, cell);
     sources[cell] = more.x;
-    sources[LEVEL_CELLS + cell] = more.y;
-    sources[2 * LEVEL_CELLS + cell] = more.z;
+    sources[LEVEL_CELLS(grid) + cell] = more.y;
+    sources[2 * LEVEL_CELLS(grid) + cell] = more.z;
   }
 }

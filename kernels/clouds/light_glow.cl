@@ -12,12 +12,12 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
   const size_t number = get_global_id(1), cloud = first_cloud + number;
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
-  medium += cloud * MEDIUM_CELLS + FIRST_LEVEL;
-  faces += number * channels * 4 * LEVEL_CELLS;
-  fluence += number * 3 * LEVEL_CELLS;
-  moments += number * 4 * CELLS;
-  glow += cloud * CELLS;
-  drift += cloud * channels * CELLS;
+  medium += cloud * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+  faces += number * channels * 4 * LEVEL_CELLS(grid);
+  fluence += number * 3 * LEVEL_CELLS(grid);
+  moments += number * 4 * grid.room;
+  glow += cloud * grid.room;
+  drift += cloud * channels * grid.room;
   const int cells = grid.size_x * grid.size_y * grid.size_z;
   const float shown = (1.0f - look.forward_share) / (4.0f * PI);
   for (int cell = (int)get_global_id(0); cell < cells; cell += (int)get_global_size(0)) {
@@ -30,7 +30,7 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
       const float3 flux = (float3)(dot(found.x, of_channel), dot(found.y, of_channel), dot(found.z, of_channel));
       const float3 lean = 3.0f * look.scaled_mean_cosine / fmax(dot(found.fluence, of_channel), 1e-20f) * flux;
       // Flux cannot exceed what there is to flow.
-      drift[channel * CELLS + cell] = (float4)(lean * fmin(1.0f, rsqrt(fmax(dot(lean, lean), 1e-20f))), 0.0f);
+      drift[channel * grid.room + cell] = (float4)(lean * fmin(1.0f, rsqrt(fmax(dot(lean, lean), 1e-20f))), 0.0f);
     }
   }
 }

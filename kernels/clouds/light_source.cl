@@ -27,7 +27,7 @@ static inline lanes leaning(const Medium medium, const CloudScattering look, __g
 // numbers that do not count.
 static inline lanes lit_by(const CloudGrid grid, const CloudScattering look, const CloudLightSource from,
                            const Medium medium, __global const float *beam, const Piece piece) {
-  const int at = piece.at - FIRST_LEVEL, row = grid.size_x, plane = grid.size_x * grid.size_y;
+  const int at = piece.at - FIRST_LEVEL(grid), row = grid.size_x, plane = grid.size_x * grid.size_y;
   const float speed =
       fmax(fmax(fabs(from.x) / grid.cell_x, fabs(from.y) / grid.cell_y), fabs(from.z) / grid.cell_z);
   // The mean over a cell of e^-x around its middle is sinh(x) / x there.
@@ -68,20 +68,20 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
   const CloudLightParams light = lights[cloud];
-  beams += CLOUD_BEAM_MARGIN + cloud * light.sun_count * channels * CELLS;
-  faces += number * channels * 4 * LEVEL_CELLS;
-  sources += number * 3 * LEVEL_CELLS;
+  beams += CLOUD_BEAM_MARGIN + cloud * light.sun_count * channels * grid.room;
+  faces += number * channels * 4 * LEVEL_CELLS(grid);
+  sources += number * 3 * LEVEL_CELLS(grid);
   const Level level = finest_level(grid);
   const int last_y = grid.size_y - 1, last_z = grid.size_z - 1, row = grid.size_x, plane = grid.size_x * grid.size_y;
   const float last_x = (float)(grid.size_x - 1);
   for (int i = (int)get_global_id(0); i < channels * level_pieces(level); i += (int)get_global_size(0)) {
     const int channel = i % channels;
     const Piece piece = piece_of(level, i / channels);
-    const int at = piece.at - FIRST_LEVEL;
-    const Medium of_channel = {medium + cloud * MEDIUM_CELLS + FIRST_LEVEL,
-                               absorption + (cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL,
+    const int at = piece.at - FIRST_LEVEL(grid);
+    const Medium of_channel = {medium + cloud * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid),
+                               absorption + (cloud * channels + channel) * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid),
                                empty_extinction(grid)};
-    __global float *ways = faces + channel * 4 * LEVEL_CELLS + piece.at;
+    __global float *ways = faces + channel * 4 * LEVEL_CELLS(grid) + piece.at;
     const lanes x = (float)piece.x + LANE_INDEX;
     const lanes here = transport_at(of_channel, look, at);
     const lanes right = conductances(grid.cell_x, here, transport_at(of_channel, look, at + 1));
@@ -89,8 +89,8 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     lanes up = (lanes)0.0f, back = (lanes)0.0f;
     if (piece.y < last_y) up = conductances(grid.cell_y, here, transport_at(of_channel, look, at + row));
     if (piece.z < last_z) back = conductances(grid.cell_z, here, transport_at(of_channel, look, at + plane));
-    store_lanes(up, ways + FACES_Y);
-    store_lanes(back, ways + FACES_Z);
+    store_lanes(up, ways + FACES_Y(level.room));
+    store_lanes(back, ways + FACES_Z(level.room));
 
     // Sides see half of each hemisphere; top and bottom one.
     lanes beside = select((lanes)0.0f, side_conductances(grid.cell_x, here), mask_of(x < 0.5f) | mask_of(x > last_x - 0.5f));
@@ -98,21 +98,21 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     lanes below = (lanes)0.0f, above = (lanes)0.0f;
     if (piece.y == 0) below = side_conductances(grid.cell_y, here);
     if (piece.y == last_y) above = side_conductances(grid.cell_y, here);
-    store_lanes(beside + below + above + load_lanes(of_channel.absorption + at), ways + FACES_OUT);
+    store_lanes(beside + below + above + load_lanes(of_channel.absorption + at), ways + FACES_OUT(level.room));
     const lanes of_sky = 4.0f * PI * (0.5f * beside + above), of_ground = 4.0f * PI * (0.5f * beside + below);
     lanes red = light.sky_red * of_sky + light.ground_red * of_ground;
     lanes green = light.sky_green * of_sky + light.ground_green * of_ground;
     lanes blue = light.sky_blue * of_sky + light.ground_blue * of_ground;
     for (int sun = 0; sun < light.sun_count; ++sun) {
       const CloudLightSource from = light.suns[sun];
-      const lanes amount = lit_by(grid, look, from, of_channel, beams + (sun * channels + channel) * CELLS, piece);
+      const lanes amount = lit_by(grid, look, from, of_channel, beams + (sun * channels + channel) * grid.room, piece);
       red += from.red * amount;
       green += from.green * amount;
       blue += from.blue * amount;
     }
     // One channel is that of all colours.
     if (channels == 1 || channel == 0) store_lanes(red, sources + piece.at);
-    if (channels == 1 || channel == 1) store_lanes(green, sources + LEVEL_CELLS + piece.at);
-    if (channels == 1 || channel == 2) store_lanes(blue, sources + 2 * LEVEL_CELLS + piece.at);
+    if (channels == 1 || channel == 1) store_lanes(green, sources + LEVEL_CELLS(grid) + piece.at);
+    if (channels == 1 || channel == 2) store_lanes(blue, sources + 2 * LEVEL_CELLS(grid) + piece.at);
   }
 }

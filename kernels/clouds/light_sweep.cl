@@ -1,13 +1,11 @@
 // The light of each direction of diffusion.clh in each cell, carried from plane to plane along the axis that it crosses
 // fastest, as light_beam.cl carries the suns'. Sky and ground shine in from around the box.
 // In:  grids, lights; emission of light_emission.cl; the first cloud.
+//      leaving [clouds][DIRECTIONS][2][3][RIMMED_CELLS], room for what leaves the cells of the plane before and of this
+//      one, in turn, of each colour.
 // Out: radiances [clouds][DIRECTIONS][CELLS], kcd/m^2: means over the way through each cell.
 // One work-group of GROUP_SIZE a direction (dimension 0) and cloud from the first on (1).
 #include "clouds/diffusion.clh"
-
-// Cells of the largest plane, and a rim around them where light comes from outside.
-#define PLANE_CELLS (CELLS / CLOUD_LEAST_CELLS)
-#define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
 
 // What a cell sends in a direction per depth.
 static inline float3 sent_at(__global const float4 *restrict emission, int cell, float3 toward) {
@@ -40,10 +38,10 @@ INLINE WayThrough way_through(float3 depth, int channels) {
   return through;
 }
 
-static inline float3 between(__local const float *from, int pitch, float share_a, float share_b) {
+static inline float3 between(__global const float *from, int colours_apart, int pitch, float share_a, float share_b) {
   float mixed[3];
   for (int colour = 0; colour < 3; ++colour) {
-    __local const float *f = from + colour * RIMMED_CELLS;
+    __global const float *f = from + colour * colours_apart;
     mixed[colour] = mix(mix(f[0], f[1], share_a), mix(f[pitch], f[pitch + 1], share_a), share_b);
   }
   return (float3)(mixed[0], mixed[1], mixed[2]);
@@ -52,14 +50,13 @@ static inline float3 between(__local const float *from, int pitch, float share_a
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_sweep(
     __global const CloudGrid *restrict grids, __global const CloudLightParams *restrict lights,
     __global const float4 *restrict emission, int first_cloud, int channels,
-    __global float4 *restrict radiances) {
-  // What leaves the cells of the plane before and of this one, in turn, of each colour.
-  __local float leaving[2][3 * RIMMED_CELLS];
+    __global float *restrict leaving, __global float4 *restrict radiances) {
   const int direction = (int)get_group_id(0), item = (int)get_local_id(0);
   const size_t number = get_group_id(1), cloud = first_cloud + number;
   const CloudGrid grid = grids[cloud];
-  emission += number * 4 * CELLS;
-  radiances += (number * DIRECTIONS + direction) * CELLS;
+  emission += number * 4 * grid.room;
+  leaving += (number * DIRECTIONS + direction) * 2 * 3 * RIMMED_CELLS(grid);
+  radiances += (number * DIRECTIONS + direction) * grid.room;
 
   const float3 toward =
       COSINE * (float3)(direction_sign(direction, 0), direction_sign(direction, 1), direction_sign(direction, 2));
@@ -84,16 +81,16 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_swee
                             toward.y < 0.0f ? lights[cloud].sky_blue : lights[cloud].ground_blue};
   for (int i = item; i < pitch * (size_b + 2); i += GROUP_SIZE)
     for (int colour = 0; colour < 3; ++colour)
-      leaving[0][colour * RIMMED_CELLS + i] = leaving[1][colour * RIMMED_CELLS + i] = outside[colour];
+      leaving[colour * RIMMED_CELLS(grid) + i] = leaving[(3 + colour) * RIMMED_CELLS(grid) + i] = outside[colour];
   wait_for_group();
 
   for (int plane = 0; plane < planes; ++plane) {
     const int start = (is_rising ? plane : planes - 1 - plane) * stride, step = is_rising ? stride : -stride;
-    __local const float *before = leaving[plane % 2] + pitch + 1;
-    __local float *after = leaving[(plane + 1) % 2] + pitch + 1;
+    __global const float *before = leaving + plane % 2 * 3 * RIMMED_CELLS(grid) + pitch + 1;
+    __global float *after = leaving + (plane + 1) % 2 * 3 * RIMMED_CELLS(grid) + pitch + 1;
     for (int i = item; i < size_a * size_b; i += GROUP_SIZE) {
       const int b = i / size_a, a = i - b * size_a;
-      const float3 arriving = between(before + (b + left_b) * pitch + a + left_a, pitch, share_a, share_b);
+      const float3 arriving = between(before + (b + left_b) * pitch + a + left_a, RIMMED_CELLS(grid), pitch, share_a, share_b);
       const int cell = start + a * stride_a + b * stride_b;
       // What is sent grows evenly across the cell, which thick cells need to pass on as much as diffusion does (Olson &
       // Kunasz 1987); it grows as toward the neighbour from which it differs less, not at all at an extreme.
@@ -110,10 +107,10 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_swee
       const float3 mean =
           through.mean * arriving + (1.0f - through.mean) * first + (0.5f - through.rest) * growth;
       radiances[cell] = (float4)(mean, 0.0f);
-      __local float *place = after + b * pitch + a;
+      __global float *place = after + b * pitch + a;
       place[0] = leaves.x;
-      place[RIMMED_CELLS] = leaves.y;
-      place[2 * RIMMED_CELLS] = leaves.z;
+      place[RIMMED_CELLS(grid)] = leaves.y;
+      place[2 * RIMMED_CELLS(grid)] = leaves.z;
     }
     wait_for_group();
   }

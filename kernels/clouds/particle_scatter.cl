@@ -26,12 +26,12 @@ static inline float way_out(const CloudGrid grid, float3 cells, float3 step) {
 }
 
 // The albedo of each colour at a place of the grid.
-static inline float3 albedo_at(__global const float *restrict absorbing, int channels, const CloudScattering look,
+static inline float3 albedo_at(const CloudGrid grid, __global const float *restrict absorbing, int channels, const CloudScattering look,
                                const GridSample sample, float extinction) {
   if (channels == 1) return (float3)(1.0f - look.absorbed_share);
   const float3 absorption =
-      (float3)(sample_scalar(absorbing, sample), sample_scalar(absorbing + MEDIUM_CELLS, sample),
-               sample_scalar(absorbing + 2 * MEDIUM_CELLS, sample));
+      (float3)(sample_scalar(absorbing, sample), sample_scalar(absorbing + MEDIUM_CELLS(grid), sample),
+               sample_scalar(absorbing + 2 * MEDIUM_CELLS(grid), sample));
   return clamp(1.0f - absorption / fmax(extinction, 1e-30f), (float3)(0.0f), (float3)(1.0f));
 }
 
@@ -53,10 +53,10 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
     const CloudGrid grid = grids[cloud];
     const CloudScattering look = looks[cloud];
     __global const CloudLightParams *light = lights + cloud;
-    __global const float *absorbing = absorption + cloud * channels * MEDIUM_CELLS + FIRST_LEVEL;
-    __global const float *beam = beams + CLOUD_BEAM_MARGIN + cloud * light->sun_count * channels * CELLS;
-    __global const float4 *shine = glow + cloud * CELLS;
-    __global const float4 *lean = drift + cloud * channels * CELLS;
+    __global const float *absorbing = absorption + cloud * channels * MEDIUM_CELLS(grid) + FIRST_LEVEL(grid);
+    __global const float *beam = beams + CLOUD_BEAM_MARGIN + cloud * light->sun_count * channels * grid.room;
+    __global const float4 *shine = glow + cloud * grid.room;
+    __global const float4 *lean = drift + cloud * channels * grid.room;
     const float depth = cloud_depth(particle.optical_mass, particle.radius);
     const float3 place = (float3)(particle.x, particle.y, particle.z);
     const float3 own_albedo = (float3)(particle.red, particle.green, particle.blue);
@@ -90,20 +90,20 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
       const float piece = fmin(length_m, leave - at);
       const GridSample sample = grid_sample(grid, look_at - 0.5f * piece * step);
       const float4 found = sample_vector(shine, sample);
-      const float3 albedo = albedo_at(absorbing, channels, look, sample, found.w);
+      const float3 albedo = albedo_at(grid, absorbing, channels, look, sample, found.w);
       // Of the true extinction.
       const float3 scaled = 1.0f - look.forward_share * albedo;
       rough = found.w * fmax(scaled.x, fmax(scaled.y, scaled.z));
       float toward_eye[3];
       for (int channel = 0; channel < channels; ++channel)
-        toward_eye[channel] = fmax(0.0f, 1.0f + dot(sample_vector(lean + channel * CELLS, sample).xyz, view));
+        toward_eye[channel] = fmax(0.0f, 1.0f + dot(sample_vector(lean + channel * grid.room, sample).xyz, view));
       float3 shown = found.xyz * of_colours(toward_eye, channels);
       const float depth_of_eye = depth_before + 0.5f * piece * found.w;
       for (int sun = 0; sun < light->sun_count; ++sun) {
         const CloudLightSource from = light->suns[sun];
         float direct[3];
         for (int channel = 0; channel < channels; ++channel) {
-          const float lit = sample_scalar(beam + (sun * channels + channel) * CELLS, sample);
+          const float lit = sample_scalar(beam + (sun * channels + channel) * grid.room, sample);
           const float scaled_share = channel == 0 ? scaled.x : (channel == 1 ? scaled.y : scaled.z);
           const float scattered = channel == 0 ? albedo.x : (channel == 1 ? albedo.y : albedo.z);
           // The aureole grows with what scatters.

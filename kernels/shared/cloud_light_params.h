@@ -9,6 +9,16 @@
 // changes most across the thinnest side: with 8 cells from top to bottom, a layer of depth 32 lets a quarter
 // too much through, and shapes 8 cells thick are up to 18 % too bright.
 #define CLOUD_LEAST_CELLS 16
+// Room for the cells of a cloud at most.
+#define CLOUD_MOST_CELLS 32768
+
+// Arrays of clouds with room for so many cells each (kernels/clouds/light_grid.clh): a plane of cells at most
+// before the first; with a plane more behind; with levels, each a quarter of the one before but for short
+// rows, and what is read beyond; a plane with a rim around it.
+#define CLOUD_PLANE_CELLS(room) ((room) / CLOUD_LEAST_CELLS)
+#define CLOUD_MEDIUM_CELLS(room) ((room) + 2 * CLOUD_PLANE_CELLS(room))
+#define CLOUD_LEVEL_CELLS(room) (CLOUD_PLANE_CELLS(room) + (room) / 3 * 4 + 1024)
+#define CLOUD_RIMMED_CELLS(room) (CLOUD_PLANE_CELLS(room) / 4 * 5)
 
 // Floats before the first beam and after the last, so that whole vectors may be read around each cell.
 #define CLOUD_BEAM_MARGIN 16
@@ -32,7 +42,7 @@ typedef struct {
   float cell_x, cell_y, cell_z;  // m
   int first, end;                // particles of the cloud
   int size_x, size_y, size_z;    // cells along each axis, powers of two; 16 at least
-  int padding;
+  int room;                      // for cells in arrays of all clouds, CLOUD_MOST_CELLS at most
 } CloudGrid;
 
 // What a cloud scatters with.

@@ -9,6 +9,9 @@
 #define CLOUD_MARCH_BLOCK 4
 #define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
 
+// A cloud is marched where cubes of its box, so many, are large in the picture.
+#define CLOUD_MARCH_EDGES 4096.0f
+
 // Edge of the cube of noise that lumps the density (host/clouds/light/lump_noise.h); a power of two.
 #define CLOUD_LUMP_TEXELS 64
 
@@ -16,7 +19,7 @@
 typedef struct {
   float low_x, low_y, low_z, high_x, high_y, high_z;  // m, along these axes
   int first, end;                                     // of its particles; equal: it has none
-  float edge_m;                                       // of a cell of its light's grid
+  float edge_m;                                       // of cubes as large as its box, CLOUD_MARCH_EDGES of them
   float radius_m;                                     // of its particles, in the mean
   float anchor_x, anchor_y, anchor_z;                 // m: a particle, which noise moves with
 } CloudMarchBounds;

@@ -39,12 +39,16 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .mirrors_clouds = side_share > 0.5,
           .sea_halvings = sea_halvings,
           .cloud_halvings = side_share > 0.7 ? 0 : (side_share > 0.5 ? 1 : 2),
-          .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};
+          .light_lag = {.altitude_share = 0.05,
+                        .cloud_steps = 4,
+                        .cloud_light_frames = 8,
+                        .cloud_rad = 0.01,
+                        .cloud_parts = 8}};
 }
 
 /// The levels of the quality control, each coarser than the one before: first goes what is seen least.
 inline constexpr std::array quality_levels{
-    Quality{},
+    Quality{.light_lag = {.cloud_light_frames = 8}},
     coarser(1.0, 0.75, 0.75, 0),
     coarser(0.85, 0.75, 0.5, 0),
     coarser(0.7, 0.5, 0.5, 1),

@@ -62,10 +62,10 @@ TEST(CloudLayoutTest, CloudBillboard) {
 
 TEST(CloudLayoutTest, CloudGrid) {
   using S = CloudGrid;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light_params.h", "CloudGrid",
-                                {"cell_x", "first", "size_x", "padding"}),
-            (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, first), offsetof(S, size_x),
-                    offsetof(S, padding)}));
+  EXPECT_EQ(
+      test::device_layout(ocl::Device::open(), "shared/cloud_light_params.h", "CloudGrid",
+                          {"cell_x", "first", "size_x", "room"}),
+      (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, first), offsetof(S, size_x), offsetof(S, room)}));
 }
 
 TEST(CloudLayoutTest, CloudScattering) {

@@ -174,6 +174,43 @@ TEST(WorldClouds, SendsLightInParts) {
   EXPECT_EQ(light_of(view, then_m), light_of(exact, then_m));
 }
 
+// Fails if light that is worked out over frames is seen before it is whole, if it is not that of its time, or
+// if a sun that moves meanwhile is forgotten.
+TEST(WorldClouds, WorksOutLightOverFrames) {
+  WorldClouds exact(device(), windy_clouds(0.5)), view(device(), windy_clouds(0.5));
+  const auto seen_at = [](WorldClouds& of, double time_s, const clouds::CloudIllumination& light) {
+    of.at(time_s);
+    of.light(light);
+    // An eye that goes with the clouds.
+    of.see(camera_at(glm::dvec3(30'000.0, 1450.0, 150.0) + time_s * glm::dvec3(12.0, 0.0, 5.0)));
+    std::vector<float> seen;
+    for (const CloudSprite& sprite : of.sprites().read()) seen.push_back(sprite.green);
+    seen.resize(of.count());
+    return seen;
+  };
+  view.set_light_lag({.cloud_light_frames = 3});
+  clouds::CloudIllumination evening = daylight();
+  evening.suns[0].direction = {0.8, 0.6, 0.0};
+  const auto by_day = seen_at(exact, 2.0, daylight()), at_night_fall = seen_at(exact, 2.5, evening);
+  ASSERT_NE(by_day, at_night_fall);
+  EXPECT_EQ(seen_at(view, 2.0, daylight()), by_day) << "the first light comes at once";
+  for (int frame = 1; frame <= 2; ++frame) {
+    const auto seen = seen_at(view, 2.5, daylight());
+    double difference = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      difference = std::max(difference, std::abs(double{seen[i]} - by_day[i]) / by_day[i]);
+    // The same but for floats: places and the eye are 6 m on.
+    EXPECT_LT(difference, 1e-2) << frame;
+    EXPECT_EQ(view.illumination()[0].suns[0].direction, daylight().suns[0].direction);
+  }
+  seen_at(view, 2.5, evening);
+  for (int frame = 1; frame <= 3; ++frame) {
+    EXPECT_EQ(view.illumination()[0].suns[0].direction, daylight().suns[0].direction) << frame;
+    seen_at(view, 2.5, evening);
+  }
+  EXPECT_EQ(seen_at(view, 2.5, evening), at_night_fall);
+}
+
 // Clouds that lag keep their shape between steps of light and go on with the wind. Fails if they stand still,
 // if they change, or if they are seen from elsewhere than the eye.
 TEST(WorldClouds, CarriesClouds) {

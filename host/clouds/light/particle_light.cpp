@@ -1,6 +1,7 @@
 #include "host/clouds/light/particle_light.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <tuple>
@@ -22,12 +23,19 @@ namespace {
 // FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes
 // (tests/clouds/light_accuracy_test.cpp), and to slabs (particle_light_test.cpp).
 
-constexpr std::size_t cells = light_grid_cells;
-constexpr std::size_t plane_cells = cells / CLOUD_LEAST_CELLS;
-// A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
-// read beyond.
-constexpr std::size_t level_cells = plane_cells + cells / 3 * 4 + 1024;
-constexpr std::size_t medium_cells = cells + 2 * plane_cells;
+// A heap has so many cells; a flat cloud up to the other number (kernels/clouds/light_bounds.cl).
+struct CellCounts {
+  int of_heap, of_flat;
+};
+CellCounts wanted_cells(LightCells cells, std::size_t clouds) {
+  constexpr int of_heap = 4096, of_flat = 16384;
+  if (cells == LightCells::of_billboards) return {of_heap, of_flat};
+  // Of all clouds together, as long as they are few.
+  constexpr std::size_t most = 65536;
+  const auto finer = static_cast<int>(std::bit_floor(std::min(most / clouds, light_grid_cells(cells))));
+  return {std::max(of_heap, finer), std::max(of_flat, finer)};
+}
+
 // Of the light that is carried along directions (kernels/clouds/diffusion.clh).
 constexpr std::size_t directions = 8, floats4_of_moments = 4;
 // Sweeps along the directions, each with diffusion after it.
@@ -39,7 +47,7 @@ constexpr std::size_t recurrence_texels = CLOUD_HARRIS_SIZE * CLOUD_HARRIS_SIZE;
 
 ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel,
                   const ocl::KernelTuning& tuning) {
-  ocl::Defines defines = light_grid_defines();
+  ocl::Defines defines;
   defines.set("GROUP_SIZE", static_cast<long long>(tuning.group)).set("LANES", tuning.lanes);
   return ocl::Program::build(device, source, defines).kernel(kernel);
 }
@@ -77,15 +85,9 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
 
 }  // namespace
 
-ocl::Defines light_grid_defines() {
-  ocl::Defines defines;
-  defines.set("CELLS", static_cast<long long>(cells)).set("LEVEL_CELLS", static_cast<long long>(level_cells));
-  defines.set("MEDIUM_CELLS", static_cast<long long>(medium_cells));
-  return defines;
-}
-
-ParticleLight::ParticleLight(const ocl::Device& device)
+ParticleLight::ParticleLight(const ocl::Device& device, LightCells cells)
     : device_(device),
+      cells_(cells),
       density_tuning_(ocl::tuning_for(device.info(), "light_density")),
       cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
       group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
@@ -155,13 +157,15 @@ void ParticleLight::reserve(std::size_t clouds) {
   const auto channels_of_cloud = static_cast<std::size_t>(channels_);
   const std::size_t channels = clouds * channels_of_cloud, beams = channels * static_cast<std::size_t>(suns_),
                     at_once = std::min(clouds, most_at_once);
+  const std::size_t room = light_grid_cells(cells_);
   const std::tuple<ocl::Buffer<float>*, std::size_t, const char*> arrays[] = {
-      {&medium_, clouds * medium_cells, "extinction in clouds"},
-      {&absorption_, channels * medium_cells, "absorption in clouds"},
-      {&faces_, at_once * channels_of_cloud * level_cells * 4, "levels of clouds"},
-      {&sources_, at_once * level_cells * 3, "sources of light in clouds"},
-      {&fluence_, at_once * level_cells * 3, "fluence in clouds"},
-      {&beams_, beams * cells + 2 * CLOUD_BEAM_MARGIN, "sunlight in clouds"},
+      {&medium_, clouds * CLOUD_MEDIUM_CELLS(room), "extinction in clouds"},
+      {&absorption_, channels * CLOUD_MEDIUM_CELLS(room), "absorption in clouds"},
+      {&faces_, at_once * channels_of_cloud * CLOUD_LEVEL_CELLS(room) * 4, "levels of clouds"},
+      {&sources_, at_once * CLOUD_LEVEL_CELLS(room) * 3, "sources of light in clouds"},
+      {&fluence_, at_once * CLOUD_LEVEL_CELLS(room) * 3, "fluence in clouds"},
+      {&planes_, at_once * directions * 2 * 3 * CLOUD_RIMMED_CELLS(room), "planes of light in clouds"},
+      {&beams_, beams * room + 2 * CLOUD_BEAM_MARGIN, "sunlight in clouds"},
       {&entries_, std::max<std::size_t>(beams, 1) * entry_texels, "sunlight between clouds"}};
   for (const auto& [buffer, size, name] : arrays) {
     if (size <= buffer->size()) continue;
@@ -169,11 +173,11 @@ void ParticleLight::reserve(std::size_t clouds) {
     buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
   }
   const std::tuple<ocl::Buffer<Float4>*, std::size_t, const char*> lights[] = {
-      {&glow_, clouds * cells, "scattered light in clouds"},
-      {&drift_, channels * cells, "drift of light in clouds"},
-      {&moments_, at_once * cells * floats4_of_moments, "moments of light in clouds"},
-      {&emission_, at_once * cells * floats4_of_moments, "emission of clouds"},
-      {&radiances_, at_once * cells * directions, "radiances in clouds"}};
+      {&glow_, clouds * room, "scattered light in clouds"},
+      {&drift_, channels * room, "drift of light in clouds"},
+      {&moments_, at_once * room * floats4_of_moments, "moments of light in clouds"},
+      {&emission_, at_once * room * floats4_of_moments, "emission of clouds"},
+      {&radiances_, at_once * room * directions, "radiances in clouds"}};
   for (const auto& [buffer, size, name] : lights) {
     if (size > buffer->size()) *buffer = ocl::Buffer<Float4>(device_, size, name);
   }
@@ -182,12 +186,22 @@ void ParticleLight::reserve(std::size_t clouds) {
 void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
                             std::span<const CloudIllumination> lights, std::span<const CloudLook> looks,
                             LightModel model, ParticleAlbedo albedo) {
+  start_relight(particles, count, lights, looks, model, albedo);
+  while (relight_further()) {
+  }
+}
+
+void ParticleLight::start_relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
+                                  std::span<const CloudIllumination> lights, std::span<const CloudLook> looks,
+                                  LightModel model, ParticleAlbedo albedo) {
   if (count > particles.size() || looks.empty() || (lights.size() != 1 && lights.size() != looks.size())) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("light of clouds: expected at most {} particles, a look, and a light for each or "
                             "for all, got {}, {} and {}",
                             particles.size(), count, looks.size(), lights.size()));
   }
+  steps_.clear();
+  steps_done_ = 0;
   const auto is_grey = [](const CloudLook& look) {
     return look.albedo.x == look.albedo.y && look.albedo.y == look.albedo.z;
   };
@@ -202,8 +216,12 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
 
   model_ = model;
   const std::size_t clouds = looks.size();
-  bounds_kernel_.launch({{clouds * group_tuning_.group}, {group_tuning_.group}}, particles,
-                        static_cast<int>(count), grids_);
+  add_step([this, clouds] {
+    const CellCounts wanted = wanted_cells(cells_, clouds);
+    bounds_kernel_.launch({{clouds * group_tuning_.group}, {group_tuning_.group}}, *particles_,
+                          static_cast<int>(count_), static_cast<int>(light_grid_cells(cells_)),
+                          wanted.of_heap, wanted.of_flat, grids_);
+  });
   if (model == LightModel::calibrated) {
     diffuse(clouds);
   } else {
@@ -211,50 +229,73 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
   }
 }
 
+bool ParticleLight::relight_further() {
+  if (steps_done_ < steps_.size()) steps_[steps_done_++]();
+  return steps_done_ < steps_.size();
+}
+
 void ParticleLight::diffuse(std::size_t clouds) {
   const auto channels = static_cast<std::size_t>(channels_);
-  const auto groups = [&](std::size_t number) -> ocl::LaunchShape {
+  const auto groups = [this, clouds](std::size_t number) -> ocl::LaunchShape {
     return {{number * group_tuning_.group, clouds}, {group_tuning_.group}};
   };
-  density_kernel_.launch(ocl::launch_shape(density_tuning_, cells, clouds), *particles_, grids_, looks_,
-                         channels_, medium_, absorption_);
+  add_step([this, clouds] {
+    density_kernel_.launch(ocl::launch_shape(density_tuning_, light_grid_cells(cells_), clouds), *particles_,
+                           grids_, looks_, channels_, medium_, absorption_);
+  });
   if (suns_ > 0) {
     const ocl::LaunchShape each_beam = groups(static_cast<std::size_t>(suns_) * channels);
     const auto number = static_cast<int>(clouds);
-    if (clouds > 1)
-      entry_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, number, channels_,
-                           entries_);
-    beam_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, entries_, number, channels_,
-                        beams_);
+    if (clouds > 1) {
+      add_step([this, each_beam, number] {
+        entry_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, number, channels_,
+                             entries_);
+      });
+    }
+    add_step([this, each_beam, number] {
+      beam_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, entries_, number,
+                          channels_, beams_);
+    });
   }
   for (std::size_t first = 0; first < clouds; first += most_at_once)
     scatter_often(first, std::min(most_at_once, clouds - first));
 }
 
 void ParticleLight::scatter_often(std::size_t first, std::size_t number) {
-  const auto groups = [&](std::size_t count) -> ocl::LaunchShape {
+  const auto groups = [this, number](std::size_t count) -> ocl::LaunchShape {
     return {{count * group_tuning_.group, number}, {group_tuning_.group}};
   };
-  const ocl::LaunchShape each_cell = ocl::launch_shape(cell_tuning_, cells, number);
+  const ocl::LaunchShape each_cell = ocl::launch_shape(cell_tuning_, light_grid_cells(cells_), number);
   const auto first_cloud = static_cast<int>(first);
-  const auto diffuse = [&] {
-    diffuse_kernel_.launch(groups(3), grids_, faces_, first_cloud, channels_, sources_, fluence_);
+  const auto add_diffusion = [&] {
+    add_step([this, groups, first_cloud] {
+      diffuse_kernel_.launch(groups(3), grids_, faces_, first_cloud, channels_, sources_, fluence_);
+    });
   };
-  source_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, first_cloud,
-                        channels_, faces_, sources_);
-  coarsen_kernel_.launch(groups(static_cast<std::size_t>(channels_)), grids_, first_cloud, faces_);
-  diffuse();
+  add_step([this, groups, each_cell, first_cloud] {
+    source_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, first_cloud,
+                          channels_, faces_, sources_);
+    coarsen_kernel_.launch(groups(static_cast<std::size_t>(channels_)), grids_, first_cloud, faces_);
+  });
+  add_diffusion();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    emission_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, faces_,
-                            fluence_, first_cloud, channels_, static_cast<int>(sweep == 0), moments_,
-                            emission_);
-    sweep_kernel_.launch(groups(directions), grids_, lights_, emission_, first_cloud, channels_, radiances_);
-    gather_kernel_.launch(each_cell, grids_, looks_, medium_, absorption_, radiances_, first_cloud, channels_,
-                          moments_, sources_);
-    diffuse();
+    add_step([this, each_cell, first_cloud, sweep] {
+      emission_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, faces_,
+                              fluence_, first_cloud, channels_, static_cast<int>(sweep == 0), moments_,
+                              emission_);
+    });
+    add_step([this, groups, each_cell, first_cloud] {
+      sweep_kernel_.launch(groups(directions), grids_, lights_, emission_, first_cloud, channels_, planes_,
+                           radiances_);
+      gather_kernel_.launch(each_cell, grids_, looks_, medium_, absorption_, radiances_, first_cloud,
+                            channels_, moments_, sources_);
+    });
+    add_diffusion();
   }
-  glow_kernel_.launch(each_cell, grids_, looks_, medium_, faces_, fluence_, moments_, first_cloud, channels_,
-                      glow_, drift_);
+  add_step([this, each_cell, first_cloud] {
+    glow_kernel_.launch(each_cell, grids_, looks_, medium_, faces_, fluence_, moments_, first_cloud,
+                        channels_, glow_, drift_);
+  });
 }
 
 void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::size_t clouds) {
@@ -269,10 +310,12 @@ void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::
   if (lit == lights.end()) return;
   // Clouds differ in how bright it is.
   const glm::vec3 way(lit->suns.front().direction);
-  order_.along_light(*particles_, count_, way);
-  recurrence_kernel_.launch({{group_tuning_.group}, {group_tuning_.group}}, *particles_,
-                            static_cast<int>(count_), order_.order(), grids_, static_cast<int>(clouds),
-                            looks_, phases_, way.x, way.y, way.z, recurrence_map_, reached_);
+  add_step([this, way, clouds] {
+    order_.along_light(*particles_, count_, way);
+    recurrence_kernel_.launch({{group_tuning_.group}, {group_tuning_.group}}, *particles_,
+                              static_cast<int>(count_), order_.order(), grids_, static_cast<int>(clouds),
+                              looks_, phases_, way.x, way.y, way.z, recurrence_map_, reached_);
+  });
 }
 
 glm::dvec3 ParticleLight::first_sun() const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,10 +25,17 @@ struct CloudBox {
   glm::vec3 low_m, high_m;
 };
 
-/// Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
-constexpr std::size_t light_grid_cells = 16384;
-/// What sources with kernels/clouds/light_grid.clh need, but for GROUP_SIZE and LANES.
-ocl::Defines light_grid_defines();
+/// What cells light is worked out in: about as large as particles, for billboards, which show one light each;
+/// or smaller, for clouds that are marched.
+enum class LightCells { of_billboards, of_marched };
+/// Room for the cells of a cloud's grid.
+constexpr std::size_t light_grid_cells(LightCells cells) {
+  return cells == LightCells::of_marched ? CLOUD_MOST_CELLS : CLOUD_MOST_CELLS / 2;
+}
+/// Whether so many clouds can have smaller cells: more than that would take too long.
+constexpr bool have_marched_cells(std::size_t clouds) {
+  return clouds <= 8;
+}
 
 /// On the device, of the last relight() by the calibrated model: what the headers of
 /// kernels/clouds/light_*.cl say.
@@ -37,6 +45,7 @@ struct LightFields {
   const ocl::Buffer<CloudLightParams>& lights;
   const ocl::Buffer<float>&phases, &absorption, &entries;
   const ocl::Buffer<std::array<float, 4>>&glow, &drift;
+  LightCells cells;
   std::size_t clouds;
   int suns, channels;
   glm::dvec3 first_sun;  // unit, toward it; up where there is none
@@ -55,7 +64,9 @@ enum class ParticleAlbedo { of_look, own };
 /// the first; 3.3 MB and 0.3 MB where any has colours.
 class ParticleLight {
  public:
-  explicit ParticleLight(const ocl::Device& device);
+  explicit ParticleLight(const ocl::Device& device, LightCells cells = LightCells::of_billboards);
+  ParticleLight(const ParticleLight&) = delete;  // steps know where it is
+  ParticleLight& operator=(const ParticleLight&) = delete;
 
   /// Queues the light on the first `count` particles, those of a cloud side by side, clouds in rising order,
   /// each below looks.size(). lights: one a look, or one for all. Keeps a reference to the particles. Throws
@@ -71,13 +82,22 @@ class ParticleLight {
     relight(particles, count, std::span(&light, 1), looks, model, albedo);
   }
 
+  /// The same in steps: nothing is queued before the first relight_further(), each of which queues one more,
+  /// and says whether any is left. Until then only relight() may follow.
+  void start_relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
+                     std::span<const CloudIllumination> lights, std::span<const CloudLook> looks,
+                     LightModel model, ParticleAlbedo albedo);
+  bool relight_further();
+  std::size_t steps_left() const { return steps_.size() - steps_done_; }
+
   /// Waits for the box around the particles of the last relight(); nothing where there are none.
   std::optional<CloudBox> box() const;
 
   /// Valid until the next relight().
   LightFields fields() const {
-    return {grids_, looks_,    lights_,    phases_, absorption_, entries_, glow_, drift_, known_looks_.size(),
-            suns_,  channels_, first_sun()};
+    return {grids_,   looks_,    lights_,    phases_, absorption_,
+            entries_, glow_,     drift_,     cells_,  known_looks_.size(),
+            suns_,    channels_, first_sun()};
   }
 
   /// One of several parts of all particles, about as many in each.
@@ -98,13 +118,17 @@ class ParticleLight {
   void reserve(std::size_t clouds);
   void diffuse(std::size_t clouds);
   void scatter_often(std::size_t first, std::size_t number);
+  void add_step(std::function<void()> step) { steps_.push_back(std::move(step)); }
   void carry_along(std::span<const CloudIllumination> lights, std::size_t clouds);
 
   ocl::Device device_;
+  LightCells cells_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, scatter_tuning_;
   ocl::Kernel bounds_kernel_, density_kernel_, entry_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_,
       emission_kernel_, sweep_kernel_, gather_kernel_, diffuse_kernel_, glow_kernel_, scatter_kernel_,
       recurrence_kernel_, first_order_kernel_;
+  std::vector<std::function<void()>> steps_;  // of the last relight
+  std::size_t steps_done_ = 0;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
   std::vector<CloudLightParams> packed_lights_;  // as lights_ has them
@@ -117,7 +141,7 @@ class ParticleLight {
   ocl::Buffer<CloudGrid> grids_;
   ocl::Buffer<CloudScattering> looks_;
   ocl::Buffer<CloudLightParams> lights_;
-  ocl::Buffer<float> phases_, entries_, beams_, medium_, absorption_, faces_, sources_, fluence_;
+  ocl::Buffer<float> phases_, entries_, beams_, medium_, absorption_, faces_, sources_, fluence_, planes_;
   ocl::Buffer<Float4> glow_, drift_, moments_, emission_, radiances_;
 };
 

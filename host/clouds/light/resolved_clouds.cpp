@@ -14,7 +14,7 @@
 namespace offing::clouds {
 namespace {
 
-// Edges of cells of the light's grid, px, between which marching takes over from billboards.
+// Edges of cubes of a cloud's box (CLOUD_MARCH_EDGES), px, between which marching takes over from billboards.
 constexpr double billboards_px = 1.5, marched_px = 2.5;
 // Clouds that are marched at most: the largest on the screen.
 constexpr std::size_t most_volumes = 16;
@@ -77,7 +77,7 @@ struct Wanted {
 
 ocl::Kernel march_kernel(const ocl::Device& device, const char* source, const char* kernel,
                          const ocl::KernelTuning& tuning, int channels = 1) {
-  ocl::Defines defines = light_grid_defines();
+  ocl::Defines defines;
   defines.set("GROUP_SIZE", static_cast<long long>(tuning.group))
       .set("LANES", tuning.lanes)
       .set("CHANNELS", channels);
@@ -145,9 +145,9 @@ void ResolvedClouds::reserve(std::size_t slots) {
   fit(depths_, slots * std::max<std::size_t>(suns, 1) * CLOUD_MARCH_CELLS, "sunlight in marched clouds");
   fit(blocks_, slots * CLOUD_MARCH_BLOCKS, "blocks of marched clouds");
   fit(volumes_buffer_, slots, "marched clouds");
-  if (sources_.size() < slots * vectors * light_grid_cells)
-    sources_ = ocl::Buffer<std::array<float, 4>>(device_, slots * vectors * light_grid_cells,
-                                                 "light of marched clouds");
+  const std::size_t source_cells = slots * vectors * light_grid_cells(light_->fields().cells);
+  if (sources_.size() < source_cells)
+    sources_ = ocl::Buffer<std::array<float, 4>>(device_, source_cells, "light of marched clouds");
   if (noise_.size() == 0) noise_ = ocl::Buffer<float>(device_, lump_noise(), "lumps of clouds");
   slots_.resize(std::max(slots_.size(), slots));
   if (!is_new) return;
@@ -216,6 +216,24 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   shares_held_ = std::move(shares);
 }
 
+std::vector<int> ResolvedClouds::marched() const {
+  std::vector<int> clouds;
+  for (const CloudMarchVolume& volume : volumes_) clouds.push_back(volume.cloud);
+  return clouds;
+}
+
+void ResolvedClouds::make(int cloud) {
+  const CloudMarchBounds& bounds = bounds_[static_cast<std::size_t>(cloud)];
+  if (bounds.first == bounds.end) return;
+  reserve(std::min(bounds_.size(), most_volumes));
+  const auto slot = std::ranges::find_if(slots_, [](const auto& held) { return !held; });
+  if (slot == slots_.end()) return;
+  CloudMarchVolume volume = volume_of(bounds, axes_, cloud);
+  volume.slot = static_cast<int>(slot - slots_.begin());
+  make(volume);
+  *slot = cloud;
+}
+
 void ResolvedClouds::make(const CloudMarchVolume& volume) {
   const LightFields light = light_->fields();
   const CloudMarchBounds& bounds = bounds_[static_cast<std::size_t>(volume.cloud)];
@@ -240,9 +258,9 @@ void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams param
   const LightFields light = light_->fields();
   const glm::vec3 eye(eye_m - origin_m_);
   params.eye_x_m = eye.x, params.eye_y_m = eye.y, params.eye_z_m = eye.z;
-  kernels().source.launch(ocl::launch_shape(cell_tuning_, light_grid_cells, volumes_.size()), volumes_buffer_,
-                          light.grids, light.absorption, light.glow, light.drift, eye.x, eye.y, eye.z,
-                          sources_);
+  kernels().source.launch(ocl::launch_shape(cell_tuning_, light_grid_cells(light.cells), volumes_.size()),
+                          volumes_buffer_, light.grids, light.absorption, light.glow, light.drift, eye.x,
+                          eye.y, eye.z, sources_);
   kernels().march.launch(shape, volumes_buffer_, static_cast<int>(volumes_.size()), density_, depths_,
                          blocks_, sources_, light.grids, light.looks, light.lights, light.phases, noise_,
                          scene_depth, params, image, distance_m);

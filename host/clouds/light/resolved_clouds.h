@@ -20,8 +20,9 @@ namespace offing::clouds {
 
 /// The density of clouds that are large on the screen, and the sunlight in it, in cells of some 20 m: so that
 /// pictures march along lines of sight and see the light between billows, where particles would show one
-/// light each (kernels/clouds/march). A cloud is marched where cells of its light's grid are large, and shown
-/// as billboards where they are small; in between it is shown as both, each with a share of its density.
+/// light each (kernels/clouds/march). A cloud is marched where its parts are large in the picture, and
+/// shown as billboards where they are small; in between it is shown as both, each with a share of its
+/// density.
 ///
 /// A volume takes 2 MB of the device, and 2 MB more for each sun.
 class ResolvedClouds {
@@ -41,7 +42,13 @@ class ResolvedClouds {
   /// Queues what a camera needs of them. origin_m: of the particles' places, in the world.
   void resolve(const Camera& camera, const glm::dvec3& origin_m);
 
+  /// Queues the volume of a cloud, so that resolve() need not, if there is room for it.
+  void make(int cloud);
+
   // Of the last resolve().
+
+  /// The clouds that have a volume.
+  std::vector<int> marched() const;
 
   bool has_any() const { return !volumes_.empty(); }
   /// [clouds]: of each cloud, the share that billboards show.

@@ -278,7 +278,7 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
         const MarchedArrays arrays = {
             density + slot * CLOUD_MARCH_CELLS, depths + slot * lit_by->sun_count * CLOUD_MARCH_CELLS,
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
-            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * CELLS * SOURCE_VECTORS * 4};
+            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VECTORS * 4};
         March march;
         march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
         for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;

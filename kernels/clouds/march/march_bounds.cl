@@ -25,9 +25,10 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_boun
   if (item != 0) return;
   for (int other = 1; other < GROUP_SIZE; ++other) radius_sum += radii[other];
   const bool has_any = low.x < high.x;
+  const float3 box = grid_cell(grid) * grid_size(grid);
   const CloudParticle anchor = particles[has_any ? grid.first : 0];
   const CloudMarchBounds found = {low.x, low.y, low.z, high.x, high.y, high.z, grid.first, has_any ? grid.end : grid.first,
-                                  cbrt(grid.cell_x * grid.cell_y * grid.cell_z),
+                                  cbrt(box.x * box.y * box.z / CLOUD_MARCH_EDGES),
                                   radius_sum / (float)max(grid.end - grid.first, 1), anchor.x, anchor.y, anchor.z};
   bounds[get_group_id(0)] = found;
 }

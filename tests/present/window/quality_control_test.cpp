@@ -87,6 +87,7 @@ TEST(QualityControlTest, LevelsAreCoarserFromOneToTheNext) {
     EXPECT_GE(coarser.light_lag.altitude_share, finer.light_lag.altitude_share);
     EXPECT_GE(coarser.light_lag.cloud_rad, finer.light_lag.cloud_rad);
     EXPECT_GE(coarser.light_lag.cloud_steps, finer.light_lag.cloud_steps);
+    EXPECT_GE(coarser.light_lag.cloud_light_frames, finer.light_lag.cloud_light_frames);
     EXPECT_GE(coarser.light_lag.cloud_parts, finer.light_lag.cloud_parts);
     EXPECT_FALSE(coarser == finer);
   }
