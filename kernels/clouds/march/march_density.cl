@@ -1,4 +1,4 @@
-// Extinction of each cell of a volume: sums of the particles' balls of density h (C1). Mass is kept within 1 %. A work-item
+// Extinction of each cell of a volume: sums of the particles' balls of density h (C1). A work-item
 // owns a plane of cells and takes particles in their order, so that sums round alike on all devices.
 // In:  particles first ... end - 1 of one cloud; its volume. Global size: planes along z, or more.
 // Out: density [slots][CLOUD_MARCH_CELLS], 1/m.
