@@ -142,7 +142,8 @@ void add_options(CLI::App& app, Written& written) {
                "-o names the folder to write to; --size is 160x90 by default")
       ->group(reference);
   written.reference.add_to(app, reference_rows(), reference);
-  app.add_flag("--json", written.prints_json, "print the light of both, and their differences, as JSON")
+  app.add_flag("--json", written.prints_json,
+               "print the light of both, their differences, the camera and the light on the clouds, as JSON")
       ->group(reference);
   add_device_flag(app, written.device);
   written.view.add_to(app, transfer_rows(), general_group);

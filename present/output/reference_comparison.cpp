@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "host/base/error.h"
 #include "host/base/progress.h"
@@ -43,6 +44,9 @@ struct Compared {
   LightImage drawn;  ///< [height][width], row 0 at the top
   clouds::TracedImage reference;
   double exposure = 1.0;
+  Camera camera;                    ///< in the world
+  clouds::CloudIllumination light;  ///< that paths find
+  double cell_m = 1.0;              ///< of the density that they cross
 };
 
 double luminance(const glm::dvec3& light) {
@@ -177,7 +181,10 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   // Of particles of one grey, whatever the look says; coloured ones have the medium's.
   if (!particles.empty()) look.albedo = glm::dvec3(double{particles.front().red});
   const clouds::VolumeMedium medium = medium_of(device, particles);
-  const clouds::ReferenceTracer tracer(medium, look, mean_illumination(clouds.illumination()));
+  compared.cell_m = medium.cell_m();
+  compared.light = mean_illumination(clouds.illumination());
+  compared.camera = view.camera;
+  const clouds::ReferenceTracer tracer(medium, look, compared.light);
   Camera camera = view.camera;
   camera.eye_m -= clouds.sky_origin_m();
   compared.reference = traced_image(tracer, camera, options, cancel);
@@ -261,6 +268,27 @@ Errors errors_of(const Compared& compared) {
   return errors;
 }
 
+nlohmann::ordered_json json_of(const glm::dvec3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+/// What another program needs for the reference's picture, beside the clouds.
+void add_setting(nlohmann::ordered_json& json, const Compared& compared) {
+  const CameraBasis axes = basis(compared.camera);
+  json["camera"] = {{"eye_m", json_of(compared.camera.eye_m)},
+                    {"forward", json_of(axes.forward)},
+                    {"up", json_of(axes.up)},
+                    {"vertical_field_of_view_deg", glm::degrees(compared.camera.vertical_field_of_view_rad)}};
+  json["lights"] = nlohmann::ordered_json::array();
+  for (const clouds::CloudLight& light : compared.light.suns) {
+    json["lights"].push_back(
+        {{"direction", json_of(light.direction)}, {"illuminance_klx", json_of(light.illuminance_klx)}});
+  }
+  json["sky_kcdpm2"] = json_of(compared.light.sky_kcdpm2);
+  json["ground_kcdpm2"] = json_of(compared.light.ground_kcdpm2);
+  json["cell_m"] = compared.cell_m;
+}
+
 void print(const Compared& compared, const Errors& errors, const ReferenceComparison& asked) {
   const double drawn = mean_light(compared.drawn), reference = mean_light(compared.reference.image);
   nlohmann::ordered_json json{{"samples", asked.samples},
@@ -284,6 +312,7 @@ void print(const Compared& compared, const Errors& errors, const ReferenceCompar
     fmt::print("scattered {}{} {}: {:5.1f} % of the light\n", i + 1, i + 1 == count ? " or more" : "",
                i == 0 ? "time" : "times", 100.0 * share);
   }
+  add_setting(json, compared);
   if (asked.prints_json) print_json(json);
 }
 

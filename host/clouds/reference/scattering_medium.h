@@ -61,6 +61,7 @@ class VolumeMedium : public ScatteringMedium {
 
   /// 1/m.
   double extinction(const glm::dvec3& place_m) const;
+  double cell_m() const { return cell_m_; }
   /// Of a sphere around all bricks with any density.
   const glm::dvec3& middle_m() const { return middle_m_; }
   double radius_m() const { return radius_m_; }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,37 @@ TEST_F(ReferenceComparisonTest, WritesBothAndWhatDiffers) {
       sum += light.channel("order" + std::to_string(order["order"].get<int>()) + ".G")[i];
   }
   EXPECT_NEAR(sum, reference, 1e-3 * reference);
+}
+
+// Fails if another program cannot set up the same picture: camera, sun, sky and ground as the paths have
+// them.
+TEST_F(ReferenceComparisonTest, PrintsWhatLightsTheClouds) {
+  const ProgramResult result = compare(scene("[[cloud]]\ny_m = 1000\nscale = 0.3\n"), {"--json", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  const auto near = [](const nlohmann::json& values, double x, double y, double z) {
+    EXPECT_NEAR(values.at(0).get<double>(), x, 1e-6);
+    EXPECT_NEAR(values.at(1).get<double>(), y, 1e-6);
+    EXPECT_NEAR(values.at(2).get<double>(), z, 1e-6);
+  };
+  const double up = 5.0 * std::numbers::pi / 180.0, elevation = 40.0 * std::numbers::pi / 180.0,
+               azimuth = 130.0 * std::numbers::pi / 180.0;
+  near(json["camera"]["eye_m"], 0.0, 900.0, 1200.0);
+  near(json["camera"]["forward"], 0.0, std::sin(up), -std::cos(up));
+  near(json["camera"]["up"], 0.0, std::cos(up), std::sin(up));
+  ASSERT_EQ(json["lights"].size(), 1);
+  near(json["lights"][0]["direction"], std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+       -std::cos(azimuth) * std::cos(elevation));
+  // A high sun gives 60 to 130 klx, a clear sky 1 to 10 kcd/m2, the ground less than the sun would from
+  // white.
+  const double sun_klx = json["lights"][0]["illuminance_klx"][1], ground = json["ground_kcdpm2"][1];
+  EXPECT_GT(sun_klx, 60.0);
+  EXPECT_LT(sun_klx, 130.0);
+  EXPECT_GT(json["sky_kcdpm2"][1], 1.0);
+  EXPECT_LT(json["sky_kcdpm2"][1], 10.0);
+  EXPECT_GT(ground, 0.0);
+  EXPECT_LT(ground, sun_klx / std::numbers::pi);
+  EXPECT_GT(json["cell_m"], 1.0);
 }
 
 // Fails if pictures that are there are replaced unasked, or not at all.
