@@ -14,8 +14,8 @@ def skip(reason):
 
 
 def enter(package):
-    """Takes TEST.py PYTHON OFFING SCENES to a process of PYTHON, which has `package`. Returns OFFING and SCENES."""
-    python, offing, scenes = sys.argv[1:]
+    """Takes TEST.py PYTHON PROGRAM... SCENES to a process of PYTHON, which has `package`. Returns PROGRAM..., SCENES."""
+    python, *programs, scenes = sys.argv[1:]
     if os.environ.get("OFFING_PEER") != package:
         if not pathlib.Path(python).exists():
             skip(f"no virtual environment with {package}: ./dev test --slow makes it")
@@ -24,7 +24,7 @@ def enter(package):
             skip(f"{package} cannot be imported: {(found.stderr.strip().splitlines() or ['no reason'])[-1]}")
         os.environ["OFFING_PEER"] = package
         os.execv(python, [python, "-B", *sys.argv])
-    return offing, pathlib.Path(scenes)
+    return *programs, pathlib.Path(scenes)
 
 
 def run(offing, *arguments):
