@@ -1,24 +1,24 @@
-"""Mitsuba 3 renders exported clouds as our reference does: mean light within 3 %, root mean square error of blocks of
-4 x 4 pixels at most 0.09 of the mean. It takes clouds, light and camera only from files and output of our programs, and
-scatters as docs/clouds.md says under "The same cloud in Cycles and Mitsuba"."""
+"""Mitsuba 3 renders exported clouds as our reference does (cloud_pictures.py). It takes clouds, light and camera only from
+files and output of our programs, and scatters as docs/clouds.md says under "The same cloud in Cycles and Mitsuba".
 
-import json
+Measured with Mitsuba 3.9: cumulus 1.000 and 0.049 (mean and error), stratus 0.999 and 0.051, cumulonimbus 0.996 and 0.054.
+Noise of blocks is 0.04 to 0.05 of Mitsuba and 0.01 to 0.02 of ours, of means 0.007. It takes 7 minutes of one core."""
+
 import pathlib
 import tempfile
-import time
 
 import peer
 
 offing, view, vdb_dump, scenes = peer.enter("mitsuba")
 
+import cloud_pictures  # noqa: E402
 import mitsuba as mi  # noqa: E402
 import numpy as np  # noqa: E402
 
 mi.set_variant("scalar_rgb")  # the others need a recent LLVM
 from mitsuba import ScalarTransform4f as Transform  # noqa: E402
 
-WIDTH, HEIGHT, BLOCK = 80, 45, 4
-PARTS = 8  # of Mitsuba's paths, whose differences show their noise
+PARTS = 8  # of Mitsuba's paths
 CUMULONIMBUS = """version = 1
 [sun]
 azimuth_deg = 75
@@ -67,56 +67,30 @@ def mitsuba_scene(medium, setting):
         "sensor": {"type": "perspective", "fov_axis": "y", "fov": camera["vertical_field_of_view_deg"],
                    "near_clip": 1.0, "far_clip": 1e6,
                    "to_world": Transform().look_at(eye_m, eye_m + forward, camera["up"]),
-                   "film": {"type": "hdrfilm", "width": WIDTH, "height": HEIGHT, "component_format": "float32",
-                            "rfilter": {"type": "box"}}}}
+                   "film": {"type": "hdrfilm", "width": cloud_pictures.WIDTH, "height": cloud_pictures.HEIGHT,
+                            "component_format": "float32", "rfilter": {"type": "box"}}}}
     for i, light in enumerate(setting["lights"]):
         scene[f"light{i}"] = {"type": "directional", "direction": -np.array(light["direction"]),
                               "irradiance": {"type": "rgb", "value": light["illuminance_klx"]}}
     return mi.load_dict(scene)
 
 
-def layer(exr, name):
-    names = [field.name for field in exr.struct_()]
-    return np.array(exr)[..., [names.index(f"{name}.{channel}") for channel in "RGBA"]]
-
-
-def luminance(image):
-    return np.array(image)[..., :3] @ [0.2126, 0.7152, 0.0722]
-
-
-def blocks(image):
-    rows, columns = HEIGHT // BLOCK, WIDTH // BLOCK
-    return image[:rows * BLOCK, :columns * BLOCK].reshape(rows, BLOCK, columns, BLOCK).mean((1, 3))
-
-
-def compare(scene, our_samples, their_samples, out):
-    setting = json.loads(peer.run(view, scene, "--compare-reference", "-o", out, "--size", f"{WIDTH}x{HEIGHT}",
-                                  "--samples", our_samples, "--json", "--quiet"))
-    reference = layer(mi.Bitmap(str(out / "compared.exr")), "reference")
-    start = time.time()
-    theirs = mitsuba_scene(exported_medium(scene, setting["cell_m"], out), setting)
-    has_cloud = blocks(reference[..., 3]) >= 0.02
-    assert has_cloud.sum() > 20
-    ours = blocks(luminance(reference))[has_cloud]
-    parts = np.array([blocks(luminance(mi.render(theirs, spp=their_samples // PARTS, seed=part)))[has_cloud]
-                      for part in range(PARTS)])
-    right = parts.mean(0)
-    mean, error = ours.mean() / right.mean(), np.sqrt(np.mean((ours - right) ** 2)) / right.mean()
-    noise = np.sqrt(np.mean(parts.var(0, ddof=1)) / PARTS) / right.mean()
-    print(f"{scene.stem}: mean {mean:.3f}, rms error {error:.3f} in {has_cloud.sum()} blocks, of which Mitsuba's noise "
-          f"{noise:.3f}; correlation {np.corrcoef(ours, right)[0, 1]:.4f}; {time.time() - start:.0f} s", flush=True)
-    return abs(mean - 1.0) <= 0.03 and error <= 0.09
+def agrees(scene, our_samples, their_samples, out):
+    reference = cloud_pictures.Reference(view, scene, our_samples, out)
+    theirs = mitsuba_scene(exported_medium(scene, reference.setting["cell_m"], out), reference.setting)
+    return reference.agrees_with(np.array(mi.render(theirs, spp=their_samples // PARTS, seed=part))
+                                 for part in range(PARTS))
 
 
 def main(out):
     (out / "cumulonimbus.toml").write_text(CUMULONIMBUS)
     wrong = []
-    for scene, our_samples, their_samples in ((scenes / "cumulus.toml", 4096, 512),
-                                              (scenes / "stratus.toml", 4096, 512),
-                                              (out / "cumulonimbus.toml", 4096, 512)):
+    for scene, our_samples, their_samples in ((scenes / "cumulus.toml", 2048, 512),
+                                              (scenes / "stratus.toml", 2048, 512),
+                                              (out / "cumulonimbus.toml", 2048, 512)):
         folder = out / scene.stem
         folder.mkdir()
-        if not compare(scene, our_samples, their_samples, folder):
+        if not agrees(scene, our_samples, their_samples, folder):
             wrong.append(scene.stem)
     assert not wrong, wrong
 
