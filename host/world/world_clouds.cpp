@@ -97,9 +97,10 @@ constexpr double mirror_rad = 0.02;
 struct LitClouds {
   explicit LitClouds(const ocl::Device& on) : device(on), billboards(on), resolved(on) {}
 
-  /// From now on they are to be lit so, by light_further(); of those that `like` marches now volumes are made
-  /// too.
-  void light(std::span<const clouds::CloudIllumination> lights, std::uint32_t count,
+  /// From now on they are to be lit so, and by each other, by light_further(); of those that `like` marches
+  /// now volumes are made too.
+  void light(std::span<const clouds::CloudIllumination> lights,
+             std::span<const clouds::CloudIllumination> with_others, std::uint32_t count,
              std::span<const clouds::CloudLook> looks, clouds::LightModel model,
              clouds::ParticleAlbedo albedo, const LitClouds& like) {
     by.assign(lights.begin(), lights.end());
@@ -108,8 +109,8 @@ struct LitClouds {
     is_resolved = model != clouds::LightModel::calibrated;
     has_marched = !is_resolved && clouds::have_marched_cells(looks.size());
     if (has_marched && !marched) marched.emplace(device, clouds::LightCells::of_marched);
-    billboards.start_relight(placed.particles, count, by, looks, model, albedo);
-    if (has_marched) marched->start_relight(placed.particles, count, by, looks, model, albedo);
+    billboards.start_relight(placed.particles, count, with_others, looks, model, albedo);
+    if (has_marched) marched->start_relight(placed.particles, count, with_others, looks, model, albedo);
     to_march = like.resolved.marched();
   }
 
@@ -212,10 +213,21 @@ struct WorldClouds::Sky {
     is_lighting = true;
   }
 
+  std::vector<clouds::CloudIllumination> with_others(std::span<const clouds::CloudIllumination> of_clouds,
+                                                     double time_s) const {
+    std::vector<clouds::CloudExtent> extents;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      extents.push_back(models[i][0]->extent());
+      extents.back().middle_m += clouds::cloud_origin_m(parameters.clouds[i], time_s);
+    }
+    return clouds::with_light_of_others(of_clouds, extents, looks);
+  }
+
   void light(LitClouds& clouds, std::span<const clouds::CloudIllumination> of_clouds) {
     const bool has_own_albedo = std::any_of(
         models.begin(), models.end(), [](const ModelLevels& levels) { return levels[0]->has_own_albedo(); });
-    clouds.light(of_clouds, count, looks, parameters.light_model,
+    clouds.light(of_clouds, with_others(of_clouds, *clouds.placed.time_s), count, looks,
+                 parameters.light_model,
                  has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look, *lit);
   }
 

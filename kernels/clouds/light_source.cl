@@ -100,9 +100,9 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     if (piece.y == last_y) above = side_conductances(grid.cell_y, here);
     store_lanes(beside + below + above + load_lanes(of_channel.absorption + at), ways + FACES_OUT(level.room));
     const lanes of_sky = 4.0f * PI * (0.5f * beside + above), of_ground = 4.0f * PI * (0.5f * beside + below);
-    lanes red = light.sky_red * of_sky + light.ground_red * of_ground;
-    lanes green = light.sky_green * of_sky + light.ground_green * of_ground;
-    lanes blue = light.sky_blue * of_sky + light.ground_blue * of_ground;
+    lanes red = light.above_red * of_sky + light.below_red * of_ground;
+    lanes green = light.above_green * of_sky + light.below_green * of_ground;
+    lanes blue = light.above_blue * of_sky + light.below_blue * of_ground;
     for (int sun = 0; sun < light.sun_count; ++sun) {
       const CloudLightSource from = light.suns[sun];
       const lanes amount = lit_by(grid, look, from, of_channel, beams + (sun * channels + channel) * grid.room, piece);

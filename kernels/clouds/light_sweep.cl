@@ -1,5 +1,5 @@
 // The light of each direction of diffusion.clh in each cell, carried from plane to plane along the axis that it crosses
-// fastest, as light_beam.cl carries the suns'. Sky and ground shine in from around the box.
+// fastest, as light_beam.cl carries the suns'. Sky, ground and other clouds shine in from around the box.
 // In:  grids, lights; emission of light_emission.cl; the first cloud.
 //      leaving [clouds][DIRECTIONS][2][3][RIMMED_CELLS], room for what leaves the cells of the plane before and of this
 //      one, in turn, of each colour.
@@ -76,9 +76,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_swee
   const bool is_rising = component(way, axis) > 0.0f;
   const int pitch = size_a + 2;
 
-  const float outside[3] = {toward.y < 0.0f ? lights[cloud].sky_red : lights[cloud].ground_red,
-                            toward.y < 0.0f ? lights[cloud].sky_green : lights[cloud].ground_green,
-                            toward.y < 0.0f ? lights[cloud].sky_blue : lights[cloud].ground_blue};
+  const float outside[3] = {toward.y < 0.0f ? lights[cloud].above_red : lights[cloud].below_red,
+                            toward.y < 0.0f ? lights[cloud].above_green : lights[cloud].below_green,
+                            toward.y < 0.0f ? lights[cloud].above_blue : lights[cloud].below_blue};
   for (int i = item; i < pitch * (size_b + 2); i += GROUP_SIZE)
     for (int colour = 0; colour < 3; ++colour)
       leaving[colour * RIMMED_CELLS(grid) + i] = leaving[(3 + colour) * RIMMED_CELLS(grid) + i] = outside[colour];

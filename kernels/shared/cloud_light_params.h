@@ -65,13 +65,15 @@ typedef struct {
   int sun_count;
   float sky_red, sky_green, sky_blue;           // kcd/m^2
   float ground_red, ground_green, ground_blue;  // kcd/m^2
+  float above_red, above_green, above_blue;     // kcd/m^2: the sky with other clouds before it
+  float below_red, below_green, below_blue;     // kcd/m^2: the ground with these
 } CloudLightParams;
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(CloudGrid) == 48, "no padding");
 static_assert(sizeof(CloudScattering) == 16, "no padding");
 static_assert(sizeof(CloudLightSource) == 24, "no padding");
-static_assert(sizeof(CloudLightParams) == 4 * 24 + 28, "no padding");
+static_assert(sizeof(CloudLightParams) == 4 * 24 + 52, "no padding");
 #endif
 
 #endif

@@ -66,6 +66,8 @@ void require_light(const char* name, const glm::dvec3& value) {
 CloudLightParams packed(const CloudIllumination& light, int suns) {
   require_light("sky_kcdpm2", light.sky_kcdpm2);
   require_light("ground_kcdpm2", light.ground_kcdpm2);
+  require_light("sky_kcdpm2 + clouds_above_kcdpm2", light.sky_kcdpm2 + light.clouds_above_kcdpm2);
+  require_light("ground_kcdpm2 + clouds_below_kcdpm2", light.ground_kcdpm2 + light.clouds_below_kcdpm2);
   CloudLightParams params{};
   for (const CloudLight& sun : light.suns) {
     require_light("illuminance_klx", sun.illuminance_klx);
@@ -80,6 +82,10 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
   const glm::vec3 sky(light.sky_kcdpm2), ground(light.ground_kcdpm2);
   params.sky_red = sky.r, params.sky_green = sky.g, params.sky_blue = sky.b;
   params.ground_red = ground.r, params.ground_green = ground.g, params.ground_blue = ground.b;
+  const glm::vec3 above(light.sky_kcdpm2 + light.clouds_above_kcdpm2),
+      below(light.ground_kcdpm2 + light.clouds_below_kcdpm2);
+  params.above_red = above.r, params.above_green = above.g, params.above_blue = above.b;
+  params.below_red = below.r, params.below_green = below.g, params.below_blue = below.b;
   return params;
 }
 

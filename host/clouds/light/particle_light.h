@@ -56,7 +56,7 @@ enum class ParticleAlbedo { of_look, own };
 
 /// Light on particles and toward the eye (C10 to C12), on the device. relight() when the suns, the sky or the
 /// particles change; see() when the eye moves. Clouds light and shade themselves, each in a grid of its own,
-/// and take the suns' light from those behind them; they do not light each other.
+/// and take the suns' light from those behind them. What they send each other comes with their illumination.
 ///
 /// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
 /// (host/clouds/light/phase_function.h) and diffusion of what is scattered more often

@@ -182,6 +182,7 @@ CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle>
     : parameters_(parameters),
       count_(static_cast<std::uint32_t>(edited.size())),
       cloud_(cloud),
+      extent_(extent_of(edited)),
       motion_(device),
       rest_(uploaded(device, edited)),
       moved_(device, rest_.size(), "cloud particles") {

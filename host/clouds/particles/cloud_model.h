@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/work.h"
+#include "host/clouds/light/light_of_others.h"
 #include "host/clouds/particles/particle_motion.h"
 #include "host/clouds/shape/cloud_parameters.h"
 #include "host/ocl/buffer.h"
@@ -55,6 +56,8 @@ class CloudModel {
   std::uint32_t count() const { return count_; }
   /// Whether a particle has another albedo than the look.
   bool has_own_albedo() const { return has_own_albedo_; }
+  /// At rest.
+  const CloudExtent& extent() const { return extent_; }
   const CloudParameters& parameters() const { return parameters_; }
 
  private:
@@ -64,6 +67,7 @@ class CloudModel {
 
   CloudParameters parameters_;
   std::uint32_t count_, cloud_;
+  CloudExtent extent_;
   float densest_ = 1.0f;
   bool has_own_albedo_ = false;
   ParticleMotion motion_;

@@ -162,6 +162,8 @@ struct CloudIllumination {
   std::vector<CloudLight> suns;
   glm::dvec3 sky_kcdpm2{0.0};     ///< mean radiance of the upper hemisphere
   glm::dvec3 ground_kcdpm2{0.0};  ///< of the lower one
+  /// What other clouds before them add to these means, or take from them (with_light_of_others()).
+  glm::dvec3 clouds_above_kcdpm2{0.0}, clouds_below_kcdpm2{0.0};
 
   bool operator==(const CloudIllumination&) const = default;
 };
