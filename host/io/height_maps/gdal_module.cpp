@@ -11,6 +11,7 @@ constexpr GdalModule table{.read_height_map = read_height_map,
                            .read_colour_map = read_colour_map,
                            .write_byte_raster = write_byte_raster,
                            .create_height_raster = create_height_raster,
+                           .map_coordinates = map_coordinates,
                            .files_of_raster = files_of_raster};
 
 }  // namespace

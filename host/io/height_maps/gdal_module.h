@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "host/io/height_maps/files_of_raster.h"
+#include "host/io/height_maps/map_coordinates.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
@@ -17,6 +18,7 @@ struct GdalModule {
   decltype(&offing::read_colour_map) read_colour_map;
   decltype(&offing::write_byte_raster) write_byte_raster;
   decltype(&offing::create_height_raster) create_height_raster;
+  decltype(&offing::map_coordinates) map_coordinates;
   decltype(&height_maps::files_of_raster) files_of_raster;
 };
 

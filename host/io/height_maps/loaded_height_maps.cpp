@@ -38,6 +38,11 @@ std::unique_ptr<HeightRasterWriter> create_height_raster(const std::filesystem::
   return gdal().create_height_raster(path, columns, rows, spacing_m, existing);
 }
 
+std::unique_ptr<MapCoordinates> map_coordinates(const MapFrame& map, const std::string& system,
+                                                const std::string& flag) {
+  return gdal().map_coordinates(map, system, flag);
+}
+
 std::vector<std::filesystem::path> height_maps::files_of_raster(const std::filesystem::path& path,
                                                                 Trust trust) {
   return gdal().files_of_raster(path, trust);
