@@ -12,11 +12,13 @@
 #include "host/io/atomic_file.h"
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/exr_image.h"
+#include "host/io/height_maps/map_features.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/io/png_image.h"
 #include "host/io/tile_store/tile_file.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/io/vdb/vdb_volume.h"
+#include "host/io/whole_file.h"
 
 namespace {
 
@@ -169,12 +171,35 @@ void make_texts(const fs::path& corpus) {
   write_file_atomically(calls / "scene", "version = 1\n[ocean]\nsize = 16\n\\\3");
 }
 
+/// The first byte is the format and the shape that features_fuzzer.cpp takes.
+void make_features(const fs::path& folder) {
+  const fs::path package = folder / "points";
+  const auto writer = create_features(
+      package, {.shape = FeatureShape::points,
+                .layer = "wells",
+                .coordinate_system = "EPSG:4326",
+                .has_heights = true,
+                .columns = {{"name", AttributeKind::text}, {"height_m", AttributeKind::number}}});
+  writer->add(std::vector{glm::dvec3(-70.5, -32.5, 90.0)}, std::vector<AttributeValue>{"a", 1.5});
+  writer->commit();
+  write_file_atomically(package, "\1" + read_whole_file(package, {"a GeoPackage", 1 << 20}));
+  write_file_atomically(
+      folder / "json",
+      std::string(1, '\0') +
+          R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"a":1,)"
+          R"("b":"c","d":null,"e":[1.5]},"geometry":{"type":"Point","coordinates":[-70,-32,9]}}]})");
+  write_file_atomically(folder / "lines",
+                        "\2"
+                        R"({"type":"MultiLineString","coordinates":[[[-70.5,-32],[1e1,2]]]})");
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
   const fs::path corpus(arguments[1]);
   make_exr(folder_of(corpus, "exr"));
   make_png(folder_of(corpus, "png"));
+  make_features(folder_of(corpus, "features"));
   make_rasters(folder_of(corpus, "raster"));
   make_vdb(folder_of(corpus, "vdb"));
   make_clouds(folder_of(corpus, "cloud"));

@@ -12,6 +12,8 @@ constexpr GdalModule table{.read_height_map = read_height_map,
                            .write_byte_raster = write_byte_raster,
                            .create_height_raster = create_height_raster,
                            .map_coordinates = map_coordinates,
+                           .read_features = read_features,
+                           .create_features = create_features,
                            .files_of_raster = files_of_raster};
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "host/io/height_maps/files_of_raster.h"
 #include "host/io/height_maps/map_coordinates.h"
+#include "host/io/height_maps/map_features.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
@@ -19,6 +20,8 @@ struct GdalModule {
   decltype(&offing::write_byte_raster) write_byte_raster;
   decltype(&offing::create_height_raster) create_height_raster;
   decltype(&offing::map_coordinates) map_coordinates;
+  decltype(&offing::read_features) read_features;
+  decltype(&offing::create_features) create_features;
   decltype(&height_maps::files_of_raster) files_of_raster;
 };
 

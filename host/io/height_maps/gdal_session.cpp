@@ -21,7 +21,7 @@ constexpr std::array<const char*, 26> plain{
     "GSBG",  "GS7BG",   "SAGA",    "RST",     "Terragen",       "HF2",  "netCDF", nullptr};
 
 bool is_used(std::string_view driver) {
-  return driver == "MEM" || driver == "VRT" ||
+  return driver == "MEM" || driver == "VRT" || driver == "GPKG" || driver == "GeoJSON" ||
          std::find_if(plain.begin(), plain.end() - 1, [&](const char* name) { return driver == name; }) !=
              plain.end() - 1;
 }

@@ -14,8 +14,8 @@ namespace offing::height_maps {
 const char* const* plain_formats();
 
 /// Collects what GDAL complains about while it lives, instead of letting it print. GDAL then knows the plain
-/// formats and its memory and VRT: the others are taken from it, but for those that the program around Offing
-/// had registered before.
+/// formats, its memory and VRT, and GeoPackage and GeoJSON: the others are taken from it, but for those that
+/// the program around Offing had registered before.
 class GdalSession {
  public:
   GdalSession();

@@ -43,6 +43,15 @@ std::unique_ptr<MapCoordinates> map_coordinates(const MapFrame& map, const std::
   return gdal().map_coordinates(map, system, flag);
 }
 
+FeatureTable read_features(const std::filesystem::path& path, FeatureShape shape, const std::string& layer) {
+  return gdal().read_features(path, shape, layer);
+}
+
+std::unique_ptr<FeatureWriter> create_features(const std::filesystem::path& path, const NewFeatures& features,
+                                               Existing existing) {
+  return gdal().create_features(path, features, existing);
+}
+
 std::vector<std::filesystem::path> height_maps::files_of_raster(const std::filesystem::path& path,
                                                                 Trust trust) {
   return gdal().files_of_raster(path, trust);
