@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/base/parameter_check.h"
 #include "host/io/file_mark.h"
 
 namespace offing {
@@ -39,10 +39,10 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-bool read_number(std::string_view text, double& value) {
+bool read_number(std::string_view text, double farthest, double& value) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest_point_m;
+  return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest;
 }
 
 /// As words go in sentences.
@@ -117,6 +117,10 @@ bool NumberTable::read_header(std::string_view line) {
     found.push_back(static_cast<std::size_t>(field - fields.begin()));
   }
   fields_ = found;
+  optional_fields_.clear();
+  for (const std::string& name : columns_.optional)
+    optional_fields_.push_back(
+        static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin()));
   has_header_ = true;
   return true;
 }
@@ -127,14 +131,19 @@ void NumberTable::read_row(std::string_view line, std::vector<double>& numbers) 
   bool is_row = has_header_ ? fields.size() > last : fields.size() == fields_.size();
   for (std::size_t i = 0; is_row && i < fields_.size(); ++i) {
     numbers.push_back(0.0);
-    is_row = read_number(fields[fields_[i]], numbers.back());
+    is_row = read_number(fields[fields_[i]], columns_.farthest, numbers.back());
+  }
+  for (std::size_t i = 0; is_row && i < columns_.optional.size(); ++i) {
+    numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+    if (!has_header_ || optional_fields_[i] >= fields.size() || fields[optional_fields_[i]].empty()) continue;
+    is_row = read_number(fields[optional_fields_[i]], columns_.farthest, numbers.back());
   }
   if (is_row) return;
   throw Error(
       ErrorKind::bad_input,
       fmt::format("{}:{}: expected {} as {} numbers within [{:g}, {:g}], found \"{}\"", path_.string(),
-                  line_number_, fmt::join(columns_.names, ","), count_text(fields_.size()), -farthest_point_m,
-                  farthest_point_m, line.substr(0, shown_characters)),
+                  line_number_, fmt::join(columns_.names, ","), count_text(fields_.size()),
+                  -columns_.farthest, columns_.farthest, line.substr(0, shown_characters)),
       hint());
 }
 

@@ -7,13 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/parameter_check.h"
+
 namespace offing {
 
 /// What a table has, and how its errors explain it.
 struct NumberColumns {
-  std::vector<std::string> names;  ///< with units, such as x_m
-  std::string meaning;             ///< of a line: "for each point, its x and z in m"
-  std::string example;             ///< a line
+  std::vector<std::string> names;          ///< with units, such as x_m
+  std::string meaning;                     ///< of a line: "for each point, its x and z in m"
+  std::string example;                     ///< a line
+  std::vector<std::string> optional = {};  ///< that a header line may name; NaN where there are none
+  double farthest = farthest_point_m;      ///< from 0 that a number may be
 };
 
 /// Reads columns of numbers from comma-separated text, block by block, so that a file may be larger than
@@ -24,8 +28,9 @@ class NumberTable {
   /// Throws Error(bad_input) if there is no such file or it cannot be read.
   NumberTable(std::filesystem::path path, NumberColumns columns);
 
-  /// The next rows [rows][columns], `most` at most; none at the end. Throws Error(bad_input) with file and
-  /// line for what is not numbers within farthest_point_m, and at the end of a file without any.
+  /// The next rows [rows][columns, and then the optional ones], `most` at most; none at the end. Throws
+  /// Error(bad_input) with file and line for what is not numbers within farthest_point_m, and at the end of a
+  /// file without any.
   std::vector<double> next(std::size_t most);
   /// "points.csv:7": where a row of the last block stands.
   std::string place_of(std::size_t row) const;
@@ -45,9 +50,10 @@ class NumberTable {
   std::ifstream file_;
   std::vector<char> buffer_;
   std::size_t line_number_ = 0;
-  std::size_t rows_ = 0;             // read so far
-  std::vector<std::size_t> lines_;   // of the last block
-  std::vector<std::size_t> fields_;  // of the columns
+  std::size_t rows_ = 0;                      // read so far
+  std::vector<std::size_t> lines_;            // of the last block
+  std::vector<std::size_t> fields_;           // of the columns
+  std::vector<std::size_t> optional_fields_;  // of the optional ones that the header names
   bool has_header_ = false;
 };
 

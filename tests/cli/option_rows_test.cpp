@@ -21,9 +21,9 @@ TEST(OptionRows, AreThereForEachNumberOfOffing) {
   CLI::App app;
   cli::add_commands(app, options);
   const OptionReport report =
-      report_options(app, {"FILE", "PATTERN", "SCENE", "STORE", "channels", "colour", "compare", "depth",
-                           "device", "export-spectrum", "grid", "output", "plot", "points", "preset", "swell",
-                           "body", "directions", "periods"});
+      report_options(app, {"FILE",   "PATTERN", "SCENE",           "STORE", "channels",   "colour", "compare",
+                           "depth",  "device",  "export-spectrum", "grid",  "layer",      "output", "plot",
+                           "points", "preset",  "swell",           "body",  "directions", "periods"});
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_THAT(report.numbers, SizeIs(testing::Gt(100u)));
 }

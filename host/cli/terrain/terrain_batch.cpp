@@ -1,6 +1,5 @@
 #include "host/cli/terrain/terrain_batch.h"
 
-#include <optional>
 #include <utility>
 
 #include <CLI/Option.hpp>
@@ -8,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/io/atomic_file.h"
 
 namespace offing::cli {
 
@@ -19,24 +17,42 @@ constexpr const char* batch_group = "Many at once";
 
 }  // namespace
 
-void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::string& single) {
+std::string points_help(const NumberColumns& columns, std::string_view gis) {
+  return fmt::format(
+      "CSV file with columns {}\nwith a header line: in any order, among others; without: exactly these, in "
+      "this "
+      "order.\nWith --crs, x and z of a place are longitude_deg,latitude_deg or x,y. Or a GeoPackage or "
+      "GeoJSON, "
+      "with {}",
+      fmt::join(columns.names, ","), gis);
+}
+
+void add_layer_option(CLI::App& command, std::string& layer, const char* group) {
+  command.add_option("--layer", layer, "layer of the GeoPackage or GeoJSON (default: the only one)")
+      ->type_name("NAME")
+      ->group(group)
+      ->needs("--points");
+}
+
+void TerrainBatch::add_to(CLI::App& command, QuestionColumns columns, const std::string& single) {
   columns_ = std::move(columns);
   single_ = single;
+  const bool has_points = columns_.places.size() == 1;
   CLI::Option* points =
       command
           .add_option(
               "--points", points_,
-              fmt::format(
-                  "CSV file with columns {}\nwith a header line: in any order, among others; without: "
-                  "exactly these, in this order",
-                  fmt::join(columns_.names, ",")))
+              points_help(columns_.numbers, has_points ? "points, and the other columns as attributes"
+                                                       : "lines of two points, and heights as attributes"))
           ->type_name("FILE")
           ->group(batch_group)
           ->excludes(command.get_option(single))
           ->excludes(command.get_option("--json"));
+  add_layer_option(command, layer_, batch_group);
   command
-      .add_option("-o,--output", output_,
-                  "CSV file to write, complete or not at all (- or default: standard output)")
+      .add_option(
+          "-o,--output", output_,
+          "CSV file or GeoPackage (.gpkg) to write, complete or not at all (- or default: standard output)")
       ->type_name("FILE")
       ->group(batch_group)
       ->needs(points);
@@ -51,23 +67,23 @@ void TerrainBatch::require_question(const std::string& single, const TerrainInpu
               fmt::format("give {} for one answer, or --points FILE for many", single_));
 }
 
-void TerrainBatch::answer(std::string_view heading, const Answer& answer,
+std::unique_ptr<QuestionFile> TerrainBatch::open(const MapFrame& map, const std::string& crs) const {
+  return open_questions({points_, layer_}, map, crs, columns_);
+}
+
+void TerrainBatch::answer(QuestionFile& questions, const MapFrame& map,
+                          const std::vector<AnswerColumn>& answers, const Answer& answer,
                           const GlobalOptions& options) const {
-  NumberTable table(points_, columns_);
-  std::optional<AtomicFile> file;
-  if (!output_.empty() && !is_standard_output(output_)) file.emplace(output_, existing_);
-  std::string text = fmt::format("{}\n", heading);
-  for (auto rows = table.next(block_rows); !rows.empty(); rows = table.next(block_rows)) {
+  const std::unique_ptr<AnswerFile> file = create_answers(output_, existing_, map, questions, answers);
+  std::vector<AttributeValue> values;
+  for (QuestionBlock block = questions.next(block_rows); block.count > 0;
+       block = questions.next(block_rows)) {
     options.cancel.throw_if_cancelled();
-    answer(rows, table, text);
-    if (file) {
-      file->write(text);
-    } else {
-      fmt::print("{}", text);
-    }
-    text.clear();
+    values.clear();
+    answer(block, values);
+    file->write(block, values);
   }
-  if (file) file->commit();
+  file->commit();
 }
 
 }  // namespace offing::cli

@@ -51,12 +51,20 @@ Camera read_terrain_camera(std::string_view text, const CameraTerrain& terrain) 
     // Level ground has no way down: north.
     camera.yaw_rad = std::atan2(below.normal.x, -below.normal.z);
   } else {
-    const std::vector<double> place =
-        read_numbers("--camera", text, 5, "fly, walk or X,Y,Z,YAW_DEG,PITCH_DEG", "500,300,900,0,-15");
+    const bool is_local = !terrain.on_map;
+    const std::vector<double> place = read_numbers(
+        "--camera", text, 5,
+        is_local ? "fly, walk or X,Y,Z,YAW_DEG,PITCH_DEG" : "fly, walk or X,Y,HEIGHT,YAW_DEG,PITCH_DEG",
+        is_local ? "500,300,900,0,-15" : "-70.5,-32.5,5000,0,-15");
     if (std::abs(place[4]) > 90.0) {
       throw bad_argument("--camera", "a pitch within [-90, 90] degrees", text, "500,300,900,0,-15");
     }
-    camera.eye_m = {place[0], place[1], place[2]};
+    if (is_local) {
+      camera.eye_m = {place[0], place[1], place[2]};
+    } else {
+      const glm::dvec2 plan_m = terrain.on_map({place[0], place[1]});
+      camera.eye_m = {plan_m.x, place[2], plan_m.y};
+    }
     camera.yaw_rad = std::remainder(place[3], 360.0) * radians_per_degree;
     camera.pitch_rad = place[4] * radians_per_degree;
   }

@@ -1,13 +1,14 @@
-#include <iterator>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 
 #include <fmt/format.h>
 #include <glm/vec3.hpp>
 
-#include "host/base/argument.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/place_system.h"
 #include "host/cli/terrain/store_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
 #include "host/cli/terrain/terrain_commands.h"
@@ -27,6 +28,7 @@ struct TerrainLosArguments {
   CacheFlags cache;
   TerrainBatch batch;
   EarthCurveFlags curve;
+  PlaceFlags places;
   std::string from, to;
   bool json = false;
 };
@@ -42,7 +44,8 @@ LineOfSight sight_between(const terrain::TerrainPosts& posts, const terrain::Ear
   return {posts, curve, end(from_place, from), end(to_place, to)};
 }
 
-void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, bool is_json) {
+void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, const PlaceSystem& system,
+                bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
   const glm::dvec3 by_m = hit.rounded_m(sight.point_m(sight.hidden_at_m(hit)));
   if (is_json) {
@@ -50,6 +53,7 @@ void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, bool is_js
     if (!is_visible) {
       json["hidden_at_m"] = sight.hidden_at_m(hit);
       json["hidden_by_m"] = to_json(by_m);
+      if (!system.is_local()) json["hidden_by"] = system.to_json({by_m.x, by_m.z}, &by_m.y);
     }
     print_json(json);
   } else if (is_visible) {
@@ -60,28 +64,26 @@ void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, bool is_js
   }
 }
 
-void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, const GlobalOptions& options) {
+void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, QuestionFile& questions,
+                const GlobalOptions& options) {
   const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
-      "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
-      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+      questions, terrain.frame(), {{"visible", 0, AttributeKind::whole}, {"distance_m", 9}, {"hidden_at_m"}},
+      [&](const QuestionBlock& block, std::vector<AttributeValue>& values) {
         std::vector<LineOfSight> sights;
         std::vector<terrain::Ray> rays;
-        for (std::size_t i = 0; i < rows.size(); i += 6) {
-          const std::string place = table.place_of(i / 6);
-          const std::span<const double> row = std::span(rows).subspan(i, 6);
+        for (std::size_t i = 0; i < block.rows.size(); i += 6) {
+          const std::string place = block.place_of(i / 6);
+          const std::span<const double> row = std::span(block.rows).subspan(i, 6);
           sights.push_back(sight_between(terrain.posts(), curve, place, row.first(3), place, row.subspan(3)));
           rays.push_back(sights.back().ray());
         }
         const std::vector<terrain::RayHit> hits = terrain.cast(rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const bool is_visible = hits[i].kind == TERRAIN_MISS;
-          for (std::size_t column = 0; column < 6; ++column) {
-            fmt::format_to(std::back_inserter(text), "{:.12g},", rows[6 * i + column]);
-          }
-          fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0,
-                         sights[i].distance_m(),
-                         is_visible ? "" : fmt::format("{}", sights[i].hidden_at_m(hits[i])));
+          values.insert(values.end(),
+                        {std::int64_t{is_visible ? 1 : 0}, sights[i].distance_m(),
+                         is_visible ? AttributeValue() : AttributeValue(sights[i].hidden_at_m(hits[i]))});
         }
       },
       options);
@@ -89,19 +91,27 @@ void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, co
 
 void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
   arguments.batch.require_question(arguments.from, arguments.input);
+  const std::string crs = arguments.places.system();
   if (arguments.batch.is_asked()) {
     TerrainSource terrain(arguments.input, arguments.cache);
+    const std::unique_ptr<QuestionFile> questions = arguments.batch.open(terrain.frame(), crs);
     terrain.open(ocl::Device::open(choose_one_device(options.device)));
-    return answer_all(arguments, terrain, options);
+    return answer_all(arguments, terrain, *questions, options);
   }
   const terrain::EarthCurve curve = arguments.curve.read();
-  const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
-  const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
+  const GivenPlace from = read_place("--from", arguments.from, PlaceForm::above_ground, crs, "1200,350,1.7");
+  const GivenPlace to = read_place("--to", arguments.to, PlaceForm::above_ground, crs, "1200,350,1.7");
   TerrainSource terrain(arguments.input, arguments.cache);
-  const LineOfSight sight = sight_between(terrain.posts(), curve, "--from", from, "--to", to);
+  const PlaceSystem system(terrain.frame(), crs);
+  const auto end = [&](const char* flag, const GivenPlace& given) {
+    const glm::dvec2 place_m = system.within_map(flag, given.place);
+    return std::array{place_m.x, place_m.y, given.height_m};
+  };
+  const LineOfSight sight =
+      sight_between(terrain.posts(), curve, "--from", end("--from", from), "--to", end("--to", to));
   terrain.open(ocl::Device::open(choose_one_device(options.device)));
   const terrain::Ray ray = sight.ray();
-  answer_one(sight, terrain.cast(std::span(&ray, 1), curve)[0], arguments.json);
+  answer_one(sight, terrain.cast(std::span(&ray, 1), curve)[0], system, arguments.json);
 }
 
 }  // namespace
@@ -111,20 +121,24 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("los", "test the line of sight between two points");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
-  command->add_option("--from", arguments->from, "one end, in m")->type_name("X,Z,H");
+  command->add_option("--from", arguments->from, "one end, in m, or in the system of --crs")
+      ->type_name("X,Z,H");
   command->add_option("--to", arguments->to, "the other end, in m")->type_name("X,Z,H")->needs("--from");
+  arguments->places.add_to(*command);
   arguments->curve.add_to(*command);
   command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
-      {.names = {"from_x_m", "from_z_m", "from_height_m", "to_x_m", "to_z_m", "to_height_m"},
-       .meaning = "for each pair, x, z and height above ground of both in m",
-       .example = "47000,80000,1.7,47000,20000,30"},
+      {{.names = {"from_x_m", "from_z_m", "from_height_m", "to_x_m", "to_z_m", "to_height_m"},
+        .meaning = "for each pair, x, z and height above ground of both in m",
+        .example = "47000,80000,1.7,47000,20000,30"},
+       {{.prefix = "from_", .x = 0, .z = 1}, {.prefix = "to_", .x = 3, .z = 4}}},
       "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(
       fmt::format("\n{}\n\n"
                   "Examples:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30\n"
+                  "  offing terrain los S33W071.tif --crs lonlat --from -70.5,-32.6,1.7 --to -70.4,-32.5,30\n"
                   "  offing terrain los S33W071.tif --points masts.csv -o seen.csv",
                   place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });

@@ -2,11 +2,14 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/vec2.hpp>
 
 #include "host/base/argument.h"
 #include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/place_system.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
@@ -27,14 +30,16 @@ struct ProfileSettings {
 struct TerrainProfileArguments {
   TerrainInput input;
   EarthCurveFlags curve;
+  PlaceFlags places;
   std::string from, to, output;
   SettingOptions<ProfileSettings> settings;
   Existing existing = Existing::keep;
 };
 
 void run(const TerrainProfileArguments& arguments) {
-  const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
-  const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
+  const std::string crs = arguments.places.system();
+  const GivenPlace given_from = read_place("--from", arguments.from, PlaceForm::plan, crs, "0,0");
+  const GivenPlace given_to = read_place("--to", arguments.to, PlaceForm::plan, crs, "1200,350");
   const bool prints = arguments.output.empty() || is_standard_output(arguments.output);
   if (!prints)
     require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
@@ -42,10 +47,13 @@ void run(const TerrainProfileArguments& arguments) {
   const bool is_curved = arguments.curve.are_given();
   const TerrainSource of(arguments.input, {});
   const terrain::TerrainPosts& posts = of.posts();
+  const PlaceSystem system(of.frame(), crs);
+  const glm::dvec2 from = system.within_map("--from", given_from.place),
+                   to = system.within_map("--to", given_to.place);
   // Both ends are on the map, so that all between them is.
-  terrain_under("--from", posts, from[0], from[1]);
-  terrain_under("--to", posts, to[0], to[1]);
-  const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
+  terrain_under("--from", posts, from.x, from.y);
+  terrain_under("--to", posts, to.x, to.y);
+  const double length_m = std::hypot(to.x - from.x, to.y - from.y);
   const double step_m =
       arguments.settings.read().step_m.value_or(std::min(posts.spacing_x_m, posts.spacing_z_m));
   const double steps = std::max(1.0, std::ceil(length_m / step_m));
@@ -53,15 +61,21 @@ void run(const TerrainProfileArguments& arguments) {
     throw bad_argument("--step-m", fmt::format("a step of at least {:g} m here", length_m / most_points),
                        fmt::format("{:g}", step_m), "10");
   }
-  std::string text =
-      fmt::format("distance_m,x_m,z_m,height_m,measured{}\n", is_curved ? ",fallen_height_m" : "");
+  std::vector<glm::dvec2> line_m;
   for (double step = 0.0; step <= steps; ++step) {
     const double share = step / steps;
-    const double x_m = std::lerp(from[0], to[0], share), z_m = std::lerp(from[1], to[1], share);
+    line_m.emplace_back(std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share));
+  }
+  const std::vector<glm::dvec2> line = system.of_map(line_m);
+  const int digits = system.is_local() ? 9 : 14;
+  std::string text = fmt::format("distance_m,{},{},height_m,measured{}\n", system.first(), system.second(),
+                                 is_curved ? ",fallen_height_m" : "");
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double x_m = line_m[i].x, z_m = line_m[i].y;
     const double height_m = terrain_under("--to", posts, x_m, z_m).height_m;
-    const double distance_m = share * length_m;
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g},{}", distance_m, x_m, z_m, height_m,
-                        *terrain::is_measured_at(posts, x_m, z_m) ? 1 : 0);
+    const double distance_m = static_cast<double>(i) / steps * length_m;
+    text += fmt::format("{:.9g},{:.{}g},{:.{}g},{:.7g},{}", distance_m, line[i].x, digits, line[i].y, digits,
+                        height_m, *terrain::is_measured_at(posts, x_m, z_m) ? 1 : 0);
     if (is_curved) text += fmt::format(",{:.7g}", height_m - curve.bend_perm() * distance_m * distance_m);
     text += '\n';
   }
@@ -78,8 +92,11 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainProfileArguments>();
   CLI::App* command = terrain.add_subcommand("profile", "print heights along a line as CSV");
   arguments->input.add_to(*command);
-  command->add_option("--from", arguments->from, "start of the line, in m")->type_name("X,Z")->required();
+  command->add_option("--from", arguments->from, "start of the line, in m, or in the system of --crs")
+      ->type_name("X,Z")
+      ->required();
   command->add_option("--to", arguments->to, "end of the line, in m")->type_name("X,Z")->required();
+  arguments->places.add_to(*command);
   arguments->settings.add_to(*command, {{&ProfileSettings::step_m,
                                          {.key = "step_m",
                                           .unit = "m",

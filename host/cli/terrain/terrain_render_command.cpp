@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"
+#include "host/cli/terrain/place_system.h"
 #include "host/cli/terrain/store_flags.h"
 #include "host/cli/terrain/terrain_camera.h"
 #include "host/cli/terrain/terrain_commands.h"
@@ -41,6 +42,7 @@ struct RenderSettings {
 struct TerrainRenderArguments {
   TerrainInput input;
   CacheFlags cache;
+  PlaceFlags places;
   std::string camera = "fly", size = "1280x720", output, depth, sun, colour;
   SettingOptions<RenderSettings> settings;
   bool json = false;
@@ -48,7 +50,9 @@ struct TerrainRenderArguments {
 };
 
 Camera read_camera(const TerrainRenderArguments& arguments, const RenderSettings& settings,
-                   const CameraTerrain& terrain) {
+                   const PlaceSystem& system, CameraTerrain terrain) {
+  if (!system.is_local())
+    terrain.on_map = [&system](const glm::dvec2& place) { return system.on_map("--camera", place); };
   Camera camera = read_terrain_camera(arguments.camera, terrain);
   keep_above_ground(camera, terrain);
   read_image_size(arguments.size, camera);
@@ -111,20 +115,26 @@ void write_depth(const std::string& file, const Camera& camera, const std::vecto
 
 struct Rendered {
   Camera camera;
+  nlohmann::ordered_json eye;  ///< in the system of --crs; null for local places
   TerrainRender picture;
 };
+
+nlohmann::ordered_json eye_in(const PlaceSystem& system, const Camera& camera) {
+  return system.to_json({camera.eye_m.x, camera.eye_m.z}, &camera.eye_m.y);
+}
 
 Rendered render_map(const TerrainRenderArguments& arguments, const RenderSettings& settings,
                     const GlobalOptions& options) {
   const HeightMapFile file = arguments.input.read();
-  const Camera camera = read_camera(arguments, settings, camera_terrain(file.map));
+  const PlaceSystem system(frame_of(arguments.input.file(), file.map), arguments.places.system());
+  const Camera camera = read_camera(arguments, settings, system, camera_terrain(file.map));
   TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
-  return {camera, draw_terrain(device, field, camera, scenery, settings.show)};
+  return {camera, eye_in(system, camera), draw_terrain(device, field, camera, scenery, settings.show)};
 }
 
 Rendered render_store(const TerrainRenderArguments& arguments, const RenderSettings& settings,
@@ -138,10 +148,12 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache.read());
-  const Camera camera = read_camera(arguments, settings, camera_terrain(field));
+  const PlaceSystem system(frame_of(arguments.input.file(), scene::place_of(header)),
+                           arguments.places.system());
+  const Camera camera = read_camera(arguments, settings, system, camera_terrain(field));
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
-  return {camera, draw_terrain(device, field, camera, scenery, settings.show)};
+  return {camera, eye_in(system, camera), draw_terrain(device, field, camera, scenery, settings.show)};
 }
 
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
@@ -153,9 +165,9 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
     require_new(file, arguments.existing,
                 {{arguments.input.file(), arguments.colour}, arguments.input.trust()});
   }
-  const auto [camera, picture] = is_tile_store(arguments.input.file())
-                                     ? render_store(arguments, settings, options)
-                                     : render_map(arguments, settings, options);
+  const auto [camera, eye, picture] = is_tile_store(arguments.input.file())
+                                          ? render_store(arguments, settings, options)
+                                          : render_map(arguments, settings, options);
   options.cancel.throw_if_cancelled();
   write_png(arguments.output, picture.image, arguments.existing);
   if (!arguments.depth.empty()) {
@@ -165,13 +177,14 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const double ground_share =
       static_cast<double>(picture.terrain_pixels) / static_cast<double>(picture.distances_m.size());
   if (arguments.json) {
-    const nlohmann::ordered_json json = {{"picture", arguments.output},
-                                         {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
-                                         {"yaw_deg", camera.yaw_rad / radians_per_degree},
-                                         {"pitch_deg", camera.pitch_rad / radians_per_degree},
-                                         {"ground_share", ground_share},
-                                         {"mean_steps", picture.mean_steps},
-                                         {"refined_share", picture.refined_share}};
+    nlohmann::ordered_json json = {{"picture", arguments.output},
+                                   {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+                                   {"yaw_deg", camera.yaw_rad / radians_per_degree},
+                                   {"pitch_deg", camera.pitch_rad / radians_per_degree},
+                                   {"ground_share", ground_share},
+                                   {"mean_steps", picture.mean_steps},
+                                   {"refined_share", picture.refined_share}};
+    if (!eye.is_null()) json["eye"] = eye;
     print_json(json);
   } else {
     print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps per ray\n",
@@ -196,7 +209,8 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "also write an EXR with the distance along each pixel's ray, in m, in channel Z");
   add("--camera", arguments->camera, "CAMERA",
       "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: X east and Z south of the map's north-west post, Y the height, "
-      "all in m; yaw clockwise from north (default fly)");
+      "all in m; yaw clockwise from north (default fly). With --crs: X,Y,HEIGHT,YAW_DEG,PITCH_DEG");
+  arguments->places.add_to(*command, "Picture");
   add("--size", arguments->size, "WxH", "size in pixels (default 1280x720)");
   add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
       "direction of the sun, azimuth clockwise from north (default 225,30)");

@@ -11,8 +11,10 @@ TerrainSource::TerrainSource(const TerrainInput& input, const CacheFlags& cache)
     store_.emplace(input.file(), input.trust());
     posts_ = terrain::posts_of(scene::tiled_map(store_->header()), scene::tile_reader(*store_),
                                terrain::Unreadable::refused);
+    frame_ = frame_of(input.file(), scene::place_of(store_->header()));
   } else {
     map_ = input.read().map;
+    frame_ = frame_of(input.file(), *map_);
     posts_ = terrain::posts_of(*map_);
   }
 }

@@ -7,6 +7,7 @@
 #include "host/base/height_map.h"
 #include "host/cli/terrain/store_flags.h"
 #include "host/cli/terrain/terrain_input.h"
+#include "host/io/height_maps/map_coordinates.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/ocl/device.h"
 #include "host/terrain/analysis/earth_curve.h"
@@ -28,6 +29,8 @@ class TerrainSource {
   /// Throw Error(bad_input) for a tile that cannot be read.
   const terrain::TerrainPosts& posts() const { return posts_; }
   terrain::PostGrid grid() const;
+  /// Where it lies in the world.
+  const MapFrame& frame() const { return frame_; }
 
   /// From now on rays are cast there.
   void open(const ocl::Device& device);
@@ -40,6 +43,7 @@ class TerrainSource {
   StoreUse use_;
   std::optional<HeightMap> map_;    // either this
   std::optional<TileStore> store_;  // or this
+  MapFrame frame_;
   terrain::TerrainPosts posts_;
   std::optional<terrain::HeightField> field_;
   std::optional<terrain::TiledField> tiles_;

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/place_system.h"
 #include "host/cli/terrain/store_flags.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
@@ -31,6 +31,7 @@ struct TerrainViewshedArguments {
   TerrainInput input;
   CacheFlags cache;
   EarthCurveFlags curve;
+  PlaceFlags places;
   std::string observer, output;
   SettingOptions<terrain::ViewshedParameters> settings;
   bool json = false;
@@ -62,12 +63,6 @@ std::vector<scene::Row<terrain::ViewshedParameters>> viewshed_rows() {
             .absent = "no limit"}}};
 }
 
-terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
-  const auto place = read_numbers("--observer", arguments.observer, 2, "X,Z", "1200,350");
-  return arguments.settings.read(
-      {.observer_x_m = place[0], .observer_z_m = place[1], .curve = arguments.curve.read()});
-}
-
 /// A map, or the part of a store that is near enough, and where its first post is.
 struct SeenMap {
   HeightMap map;
@@ -77,9 +72,20 @@ struct SeenMap {
 // Of a post: heights here and on the device, maxima, voids, and what is seen.
 constexpr double bytes_a_post = 12.0;
 
-SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::ViewshedParameters& parameters) {
+void place_observer(const PlaceSystem& system, const GivenPlace& observer,
+                    terrain::ViewshedParameters& parameters) {
+  const glm::dvec2 place_m = system.within_map("--observer", observer.place);
+  parameters.observer_x_m = place_m.x;
+  parameters.observer_z_m = place_m.y;
+}
+
+/// Sets the observer's place too.
+SeenMap read_store(const TerrainViewshedArguments& arguments, const GivenPlace& observer,
+                   terrain::ViewshedParameters& parameters) {
   const TileStore store(arguments.input.file(), arguments.input.trust());
   const TileStoreHeader& header = store.header();
+  place_observer({frame_of(arguments.input.file(), scene::place_of(header)), arguments.places.system()},
+                 observer, parameters);
   const double x_m = parameters.observer_x_m, z_m = parameters.observer_z_m;
   const terrain::TiledMap of = scene::tiled_map(header);
   require_within("--observer", of.width_m(), of.depth_m(), x_m, z_m);
@@ -100,13 +106,24 @@ SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::Vie
           window.first_row * header.spacing_z_m};
 }
 
+/// The same for a map.
+SeenMap read_map(const TerrainViewshedArguments& arguments, const GivenPlace& observer,
+                 terrain::ViewshedParameters& parameters) {
+  SeenMap seen_map{arguments.input.read().map};
+  place_observer({frame_of(arguments.input.file(), seen_map.map), arguments.places.system()}, observer,
+                 parameters);
+  return seen_map;
+}
+
 void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
-  terrain::ViewshedParameters parameters = read_parameters(arguments);
+  const GivenPlace observer =
+      read_place("--observer", arguments.observer, PlaceForm::plan, arguments.places.system(), "1200,350");
+  terrain::ViewshedParameters parameters = arguments.settings.read({.curve = arguments.curve.read()});
   require_extension(arguments.output, {".tif", ".tiff"});
   require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
   require_flags_of(arguments.input, arguments.cache);
-  const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
-                                                                 : SeenMap{arguments.input.read().map};
+  const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, observer, parameters)
+                                                                 : read_map(arguments, observer, parameters);
   const HeightMap& map = seen_map.map;
   parameters.observer_x_m -= seen_map.first_x_m;
   parameters.observer_z_m -= seen_map.first_z_m;
@@ -158,7 +175,9 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
-  add("--observer", arguments->observer, "X,Z", "position of the observer, in m")->required();
+  add("--observer", arguments->observer, "X,Z", "position of the observer, in m, or in the system of --crs")
+      ->required();
+  arguments->places.add_to(*command);
   arguments->settings.add_to(*command, viewshed_rows());
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write (.tif), complete or not at all")
@@ -175,6 +194,7 @@ post to post. For a tile store, the raster covers the square that --radius-m rea
 
 Examples:
   offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif
+  offing terrain viewshed S33W071.tif --crs lonlat --observer -70.5,-32.6 -o seen.tif
   offing terrain viewshed S33W071.tif --observer 47000,55000 --observer-height-m 30 --target-height-m 2 \
     --radius-m 40000 --curvature -o mast.tif)",
                               place_footer));
