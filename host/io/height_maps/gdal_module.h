@@ -18,6 +18,7 @@ struct GdalModule {
   decltype(&offing::stream_height_map) stream_height_map;
   decltype(&offing::read_colour_map) read_colour_map;
   decltype(&offing::write_byte_raster) write_byte_raster;
+  decltype(&offing::write_post_raster) write_post_raster;
   decltype(&offing::create_height_raster) create_height_raster;
   decltype(&offing::map_coordinates) map_coordinates;
   decltype(&offing::read_features) read_features;

@@ -33,6 +33,10 @@ void write_byte_raster(const std::filesystem::path& path, const ByteRaster& rast
   gdal().write_byte_raster(path, raster, existing);
 }
 
+void write_post_raster(const std::filesystem::path& path, const PostRaster& raster, Existing existing) {
+  gdal().write_post_raster(path, raster, existing);
+}
+
 std::unique_ptr<HeightRasterWriter> create_height_raster(const std::filesystem::path& path, int columns,
                                                          int rows, double spacing_m, Existing existing) {
   return gdal().create_height_raster(path, columns, rows, spacing_m, existing);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <variant>
 
 #include <cpl_string.h>
 #include <fmt/format.h>
@@ -111,13 +112,28 @@ class GeoTiffWriter : public HeightRasterWriter {
 }  // namespace
 
 void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster, Existing existing) {
+  write_post_raster(path,
+                    {.columns = raster.columns,
+                     .rows = raster.rows,
+                     .values = raster.values,
+                     .georeference = raster.georeference,
+                     .nodata = raster.nodata ? std::optional<double>(*raster.nodata) : std::nullopt,
+                     .unit = {},
+                     .description = {}},
+                    existing);
+}
+
+void write_post_raster(const std::filesystem::path& path, const PostRaster& raster, Existing existing) {
   const auto posts = static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows);
-  if (raster.values.size() != posts) {
-    throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected {}x{} values, found {}", path.string(), raster.columns, raster.rows,
-                            raster.values.size()),
-                "give a value for each post");
+  const std::size_t found = std::visit([](const auto& values) { return values.size(); }, raster.values);
+  if (found != posts) {
+    throw Error(
+        ErrorKind::bad_usage,
+        fmt::format("{}: expected {}x{} values, found {}", path.string(), raster.columns, raster.rows, found),
+        "give a value for each post");
   }
+  constexpr std::array types{GDT_Byte, GDT_UInt16, GDT_Float32};
+  const GDALDataType type = types.at(raster.values.index());
   AtomicFile file(path, existing);
   const GdalSession session;
   Dataset dataset =
@@ -125,16 +141,19 @@ void write_byte_raster(const std::filesystem::path& path, const ByteRaster& rast
                      .temporary = file.temporary(),
                      .columns = raster.columns,
                      .rows = raster.rows,
-                     .type = GDT_Byte,
+                     .type = type,
                      .georeference = raster.georeference,
                      .options = {"COMPRESS=DEFLATE", "ZLEVEL=1", "TILED=YES", "BIGTIFF=IF_SAFER"}},
                     session);
   const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
   const bool is_marked = !raster.nodata || GDALSetRasterNoDataValue(band, *raster.nodata) == CE_None;
+  if (!raster.unit.empty()) GDALSetRasterUnitType(band, raster.unit.c_str());
+  if (!raster.description.empty()) GDALSetDescription(band, raster.description.c_str());
   // GDAL takes what it only reads without const.
-  auto* const values = const_cast<std::uint8_t*>(raster.values.data());
+  auto* const values = std::visit(
+      [](const auto& of) { return const_cast<void*>(static_cast<const void*>(of.data())); }, raster.values);
   if (!is_marked || GDALRasterIO(band, GF_Write, 0, 0, raster.columns, raster.rows, values, raster.columns,
-                                 raster.rows, GDT_Byte, 0, 0) != CE_None) {
+                                 raster.rows, type, 0, 0) != CE_None) {
     fail_to_write(path, session);
   }
   GDALFlushCache(dataset.get());

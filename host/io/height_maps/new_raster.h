@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <variant>
 
 #include "host/base/height_map.h"
 #include "host/io/atomic_file.h"
@@ -20,9 +22,21 @@ struct ByteRaster {
   std::optional<std::uint8_t> nodata;    ///< what marks posts without an answer
 };
 
+/// Values at the posts of a height map.
+struct PostRaster {
+  int columns = 0, rows = 0;
+  /// [rows][columns], row 0 at the north edge
+  std::variant<std::span<const std::uint8_t>, std::span<const std::uint16_t>, std::span<const float>> values;
+  Georeference georeference;      ///< of the map; step 0 where it has none
+  std::optional<double> nodata;   ///< what marks posts without an answer
+  std::string unit, description;  ///< of the band; empty: none
+};
+
 /// Writes a GeoTIFF of one band, compressed, whole or not at all. Each sample has its post at its centre.
 /// Throws Error(bad_usage) if the sizes do not fit each other, Error(file) if it cannot be written.
 void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster,
+                       Existing existing = Existing::replace);
+void write_post_raster(const std::filesystem::path& path, const PostRaster& raster,
                        Existing existing = Existing::replace);
 
 /// Heights that are written as a GeoTIFF of floats, row by row, whole or not at all.
