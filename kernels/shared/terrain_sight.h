@@ -17,10 +17,11 @@ typedef struct {
   float target_above_m;                  // the ground, of every target
   float bend_x_m, bend_z_m;              // how far the Earth falls away at a cell's distance along x, along z
   float radius_share_x, radius_share_z;  // a cell's share of the radius beyond which all is hidden, squared
+  float highest_m;                       // no target is above
 } TerrainSight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainSight) == 48, "no padding");
+static_assert(sizeof(TerrainSight) == 52, "no padding");
 #endif
 
 #endif

@@ -9,6 +9,9 @@
 // A post that is above the first line is seen, if the last patch before it does not hide it, one below the second is
 // hidden; the rest, some percent, is left to terrain/sight_walk.cl. Bounds keep clear of rounding.
 //
+// Where the horizon of all wedges is above what the highest target of the map can reach from there on, the rest of them is
+// hidden.
+//
 // In:    heights [rows][columns] m, field (shared/terrain.h), sight (shared/terrain_sight.h).
 // inout: seen [rows][columns], SIGHT_UNDECIDED -> SIGHT_HIDDEN or SIGHT_VISIBLE, or as it was.
 // A work-item takes LANES - 1 wedges of the octant get_global_id(1).
@@ -64,6 +67,17 @@ INLINE lanes least_clearance(float h, lanes f1, lanes f2, float length) {
   if (h == 0.0f) return least(f1, at_end);
   const lanes turn = clamp(-0.5f * f1 / most(f2, (lanes)1e-30f), (lanes)0.0f, (lanes)length);
   return least(h + length * at_end, h + turn * (f1 + turn * f2));
+}
+
+// Hides the posts between two rays, from a line on: those that are within them by more than rounding.
+INLINE void hide_rest(int first_line, int last_line, Axis major, Axis minor, int2 steps, int base, float first_slope,
+                      float last_slope, __global uchar *restrict seen) {
+  for (int line = first_line; line <= last_line; ++line) {
+    const float ahead = (float)line - major.fraction, rounding = 1e-2f + 4e-7f * ahead;
+    const int first = max((int)ceil(first_slope * ahead + minor.fraction + rounding), 0);
+    const int last = min((int)floor(last_slope * ahead + minor.fraction - rounding), minor.last);
+    for (int post = first; post <= last; ++post) seen[base + line * steps.x + post * steps.y] = SIGHT_HIDDEN;
+  }
 }
 
 __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainField field, TerrainSight sight,
@@ -229,6 +243,22 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     is_better = is_crossed & mask_of(left + right > lower_left + lower_right);
     lower_left = select(lower_left, left, is_better);
     lower_right = select(lower_right, right, is_better);
+
+    if ((line & 7) == 0) {
+      // From here on: of targets above the eye where they are near, of those below it where they are far.
+      const float reach_m = (sight.highest_m - sight.eye_m) - sight.eye_rest_m;
+      const float reach = reach_m / (reach_m > 0.0f ? ahead : (float)last_line + 1.0f);
+      const lanes horizon = least(lower_left, lower_right);
+      const int_lanes is_open = mask_of(horizon <= reach + 4.0f * ROUNDING * (fabs(horizon) + fabs(reach))) &
+                                mask_of(LANE_INDEX < (lanes)(LANES - 1));
+      if (!any_lane(is_open)) {
+        float slopes[LANES];
+        store_lanes(slope, slopes);
+        hide_rest(line + 1, last_line, major, minor, (int2)(major_step, minor_step), base, slopes[0], slopes[LANES - 1],
+                  seen);
+        return;
+      }
+    }
 
     before_low_m = low_m;
     before_high_m = high_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <fmt/format.h>
@@ -64,7 +65,9 @@ TerrainSight device_sight(const HeightField& field, const ViewshedParameters& pa
           .bend_x_m = static_cast<float>(bend_perm * grid.spacing_x_m * grid.spacing_x_m),
           .bend_z_m = static_cast<float>(bend_perm * grid.spacing_z_m * grid.spacing_z_m),
           .radius_share_x = squared(grid.spacing_x_m / radius_m),
-          .radius_share_z = squared(grid.spacing_z_m / radius_m)};
+          .radius_share_z = squared(grid.spacing_z_m / radius_m),
+          .highest_m = std::nextafter(static_cast<float>(field.highest_m() + parameters.target_height_m),
+                                      std::numeric_limits<float>::infinity())};
 }
 
 }  // namespace
