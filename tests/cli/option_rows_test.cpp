@@ -20,10 +20,10 @@ TEST(OptionRows, AreThereForEachNumberOfOffing) {
   cli::GlobalOptions options{.device = {}, .cancel = cancel};
   CLI::App app;
   cli::add_commands(app, options);
-  const OptionReport report =
-      report_options(app, {"FILE",   "PATTERN", "SCENE",           "STORE", "channels",   "colour", "compare",
-                           "depth",  "device",  "export-spectrum", "grid",  "layer",      "output", "plot",
-                           "points", "preset",  "swell",           "body",  "directions", "periods"});
+  const OptionReport report = report_options(
+      app, {"FILE",   "PATTERN",         "SCENE", "STORE", "channels", "colour",     "compare", "depth",
+            "device", "export-spectrum", "grid",  "layer", "needed",   "output",     "plot",    "points",
+            "preset", "shares",          "swell", "union", "body",     "directions", "periods"});
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_THAT(report.numbers, SizeIs(testing::Gt(100u)));
 }

@@ -85,6 +85,27 @@ TEST_F(TerrainQuery, WallsHide) {
   EXPECT_EQ(answer("los", {"--from", "100,20,101", "--to", "100,180,101"})["visible"], true);
 }
 
+// The wall is 100 m high on ground that rises by 0.5 a metre to the east: a line along x = 100 m at 130 m is
+// 30 m above it. Fails if the clearance is elsewhere, other in a file, or the Fresnel zone has another width:
+// 1,000 MHz at 80 m of 160 m is sqrt(0.2998 m 40 m) = 3.463 m.
+TEST_F(TerrainQuery, ClearancesAreThoseOfTheWall) {
+  const std::vector<std::string> flags{"--from",      "100,20,130",      "--to",
+                                       "100,180,130", "--frequency-mhz", "1000"};
+  const auto json = answer("los", flags);
+  EXPECT_NEAR(json["clearance_m"].get<double>(), 30.0, 1e-9);
+  EXPECT_NEAR(json["clearance_at_m"].get<double>(), 80.0, 1e-9);
+  EXPECT_NEAR(json["clearance_ground_m"][1].get<double>(), 150.0, 1e-9);
+  EXPECT_NEAR(json["fresnel_share"].get<double>(), 30.0 / std::sqrt(299792458.0 / 1e9 * 40.0), 1e-3);
+  EXPECT_NEAR(json["fresnel_radius_m"].get<double>(), 3.463, 1e-3);
+  EXPECT_EQ(answer("los", {flags[0], flags[1], flags[2], flags[3]}).contains("clearance_m"), false);
+  EXPECT_THAT(ask("los", {"--from", "100,20,30", "--to", "100,180,30", "--clearance"}).output,
+              ::testing::HasSubstr("smallest clearance -70.000 m, at 80.000 m\n"));
+  std::ofstream(path("lines.csv")) << "100,20,130,100,180,130\n";
+  EXPECT_THAT(
+      ask("los", {"--points", path("lines.csv"), "--clearance"}).output,
+      ::testing::MatchesRegex("[^\n]*,hidden_at_m,clearance_m,clearance_at_m\n[^\n]*,1,160,,30,80\n"));
+}
+
 // The ground of a flat sea 200 km long falls away by d^2 / 2R = 62.8 m within 28.3 km: an eye 10 m up sees
 // the water as far as sqrt(2R 10 m) = 11.29 km, and what is 22.6 m above it beyond that at 28.3 km: (28.3
 // - 11.29)^2 / 2R.

@@ -1,0 +1,152 @@
+#include "host/terrain/analysis/sight_counts.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/terrain/analysis/sight_limits.h"
+#include "kernels/shared/terrain_sight.h"
+
+namespace offing::terrain {
+namespace {
+
+using Bits = std::vector<std::uint64_t>;
+constexpr std::size_t bits_a_word = 64;
+constexpr double most_choices = 5000.0;
+
+/// Posts of `seen` that `known` does not have.
+std::size_t added_by(const Bits& known, const Bits& seen) {
+  std::size_t added = 0;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    added += static_cast<std::size_t>(std::popcount(seen[i] & ~known[i]));
+  return added;
+}
+
+void join(Bits& known, const Bits& seen) {
+  for (std::size_t i = 0; i < known.size(); ++i) known[i] |= seen[i];
+}
+
+/// The next best of `among` after those before it.
+BestObservers greedy(std::span<const Bits> each, std::vector<std::size_t> among, std::size_t count) {
+  BestObservers best;
+  Bits known(each.front().size(), 0);
+  std::size_t seen_posts = 0;
+  while (best.observers.size() < count) {
+    std::size_t most = 0, choice = 0;
+    for (std::size_t i = 0; i < among.size(); ++i) {
+      const std::size_t added = added_by(known, each[among[i]]);
+      if (i == 0 || added > most) {
+        most = added;
+        choice = i;
+      }
+    }
+    join(known, each[among[choice]]);
+    seen_posts += most;
+    best.observers.push_back(among[choice]);
+    best.seen_posts.push_back(seen_posts);
+    among.erase(among.begin() + static_cast<std::ptrdiff_t>(choice));
+  }
+  return best;
+}
+
+/// Tries all choices that begin with those that `known` has.
+struct Search {
+  std::span<const Bits> each;
+  std::size_t count = 0;
+  std::vector<std::size_t> chosen{}, best{};
+  std::size_t most = 0;
+
+  void go_on(std::size_t first, const Bits& known, std::size_t seen_posts) {
+    if (chosen.size() == count) {
+      if (best.empty() || seen_posts > most) {
+        best = chosen;
+        most = seen_posts;
+      }
+      return;
+    }
+    for (std::size_t i = first; i + (count - chosen.size()) <= each.size(); ++i) {
+      Bits with = known;
+      const std::size_t added = added_by(known, each[i]);
+      join(with, each[i]);
+      chosen.push_back(i);
+      go_on(i + 1, with, seen_posts + added);
+      chosen.pop_back();
+    }
+  }
+};
+
+double choices_of(std::size_t all, std::size_t count) {
+  double choices = 1.0;
+  for (std::size_t i = 0; i < count; ++i)
+    choices *= static_cast<double>(all - i) / static_cast<double>(i + 1);
+  return choices;
+}
+
+}  // namespace
+
+SightCounts::SightCounts(std::size_t posts, bool keeps_each)
+    : counts_(posts), is_reached_(posts), keeps_each_(keeps_each) {}
+
+void SightCounts::add(std::span<const std::uint8_t> seen) {
+  if (observers() == most_observers) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("viewshed: expected at most {} observers, found more", most_observers),
+                "cut them into several files");
+  }
+  // A loop each, which compilers turn into vectors.
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    counts_[i] = static_cast<std::uint16_t>(counts_[i] + (seen[i] == SIGHT_VISIBLE ? 1 : 0));
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    is_reached_[i] = static_cast<std::uint8_t>(is_reached_[i] | (seen[i] != sight_outside ? 1 : 0));
+  const auto seen_posts =
+      static_cast<std::size_t>(std::count(seen.begin(), seen.end(), std::uint8_t{SIGHT_VISIBLE}));
+  const auto outside_posts = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), sight_outside));
+  seen_posts_.push_back(seen_posts);
+  reached_posts_.push_back(counts_.size() - outside_posts);
+  if (!keeps_each_) return;
+  Bits bits((counts_.size() + bits_a_word - 1) / bits_a_word);
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    bits[i / bits_a_word] |= std::uint64_t{seen[i] == SIGHT_VISIBLE ? 1u : 0u} << i % bits_a_word;
+  each_.push_back(std::move(bits));
+}
+
+std::size_t SightCounts::union_posts() const {
+  return static_cast<std::size_t>(
+      std::count_if(counts_.begin(), counts_.end(), [](std::uint16_t count) { return count > 0; }));
+}
+
+std::vector<std::size_t> SightCounts::only_posts() const {
+  Bits single((counts_.size() + bits_a_word - 1) / bits_a_word);
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    single[i / bits_a_word] |= std::uint64_t{counts_[i] == 1 ? 1u : 0u} << i % bits_a_word;
+  std::vector<std::size_t> posts;
+  for (const Bits& bits : each_) {
+    std::size_t own = 0;
+    for (std::size_t i = 0; i < bits.size(); ++i)
+      own += static_cast<std::size_t>(std::popcount(bits[i] & single[i]));
+    posts.push_back(own);
+  }
+  return posts;
+}
+
+BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count) {
+  count = std::min(count, each.size());
+  if (count == 0) return {};
+  std::vector<std::size_t> all(each.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const bool is_exhaustive = choices_of(each.size(), count) <= most_choices;
+  if (is_exhaustive) {
+    Search search{each, count};
+    search.go_on(0, Bits(each.front().size(), 0), 0);
+    all = search.best;
+  }
+  BestObservers best = greedy(each, all, count);
+  best.is_exhaustive = is_exhaustive;
+  return best;
+}
+
+}  // namespace offing::terrain

@@ -1,0 +1,129 @@
+#include "host/terrain/analysis/sight_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/vec2.hpp>
+
+#include "host/base/error.h"
+#include "kernels/shared/terrain_sight.h"
+
+namespace offing::terrain {
+namespace {
+
+constexpr double turn_rad = 2.0 * std::numbers::pi, quarter_rad = 0.5 * std::numbers::pi;
+// Of angles that were given in degrees.
+constexpr double rounding_rad = 1e-12;
+
+/// In plan: east, south.
+glm::dvec2 direction_of(double azimuth_rad) {
+  return {std::sin(azimuth_rad), -std::cos(azimuth_rad)};
+}
+
+/// Above 0 where b is clockwise of a, by less than half a turn.
+double clockwise(const glm::dvec2& a, const glm::dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A sector of azimuths.
+class Sector {
+ public:
+  explicit Sector(const SightLimits& limits)
+      : from_(direction_of(limits.azimuth_from_rad)), to_(direction_of(limits.azimuth_to_rad)) {
+    const double width_rad = limits.azimuth_to_rad - limits.azimuth_from_rad;
+    is_whole_ = std::abs(width_rad) >= turn_rad - rounding_rad;
+    double turned_rad = std::fmod(width_rad, turn_rad);
+    if (turned_rad < 0.0) turned_rad += turn_rad;
+    is_wide_ = turned_rad > std::numbers::pi;
+  }
+  bool is_whole() const { return is_whole_; }
+  bool has(const glm::dvec2& way) const {
+    if (is_whole_ || (way.x == 0.0 && way.y == 0.0)) return true;
+    const double rounding = rounding_rad * (std::abs(way.x) + std::abs(way.y));
+    const bool is_after = clockwise(from_, way) >= -rounding, is_before = clockwise(way, to_) >= -rounding;
+    // The way back along a narrow sector's middle is neither; the edges are within.
+    if (is_wide_) return is_after || is_before;
+    return is_after && is_before && from_.x * way.x + from_.y * way.y + to_.x * way.x + to_.y * way.y >= 0.0;
+  }
+
+ private:
+  glm::dvec2 from_, to_;
+  bool is_whole_ = true, is_wide_ = false;
+};
+
+double ground_m(const PostGrid& grid, std::span<const float> heights_m, double x, double z) {
+  const int column = std::min(static_cast<int>(x), grid.columns - 2);
+  const int row = std::min(static_cast<int>(z), grid.rows - 2);
+  const auto height_m = [&](int of_column, int of_row) {
+    return static_cast<double>(
+        heights_m[static_cast<std::size_t>(of_row) * static_cast<std::size_t>(grid.columns) +
+                  static_cast<std::size_t>(of_column)]);
+  };
+  const double u = x - column, v = z - row;
+  return std::lerp(std::lerp(height_m(column, row), height_m(column + 1, row), u),
+                   std::lerp(height_m(column, row + 1), height_m(column + 1, row + 1), u), v);
+}
+
+}  // namespace
+
+void require_valid(const SightLimits& limits) {
+  const auto require = [](bool is_valid, const char* name, const char* expected, double found_rad) {
+    if (is_valid) return;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("viewshed: {}: expected {}, found {:g} degrees", name, expected,
+                            found_rad * 180.0 / std::numbers::pi),
+                "give azimuths clockwise from north, and a lowest angle below the highest one");
+  };
+  require(std::abs(limits.azimuth_from_rad) <= turn_rad + rounding_rad, "azimuth_from",
+          "-360 ... 360 degrees", limits.azimuth_from_rad);
+  require(std::abs(limits.azimuth_to_rad) <= turn_rad + rounding_rad, "azimuth_to", "-360 ... 360 degrees",
+          limits.azimuth_to_rad);
+  require(limits.lowest_rad >= -quarter_rad - rounding_rad && limits.lowest_rad <= quarter_rad, "lowest",
+          "-90 ... 90 degrees", limits.lowest_rad);
+  require(limits.highest_rad > limits.lowest_rad && limits.highest_rad <= quarter_rad + rounding_rad,
+          "highest", "an angle above the lowest one, up to 90 degrees", limits.highest_rad);
+}
+
+void mark_outside(const PostGrid& grid, std::span<const float> heights_m,
+                  const ViewshedParameters& parameters, const SightLimits& limits, std::uint8_t outside,
+                  std::span<std::uint8_t> seen) {
+  require_valid(parameters, grid);
+  require_valid(limits);
+  const Sector sector(limits);
+  const bool has_lowest = limits.lowest_rad > -quarter_rad + rounding_rad,
+             has_highest = limits.highest_rad < quarter_rad - rounding_rad;
+  const bool has_heights = has_lowest || has_highest;
+  const bool has_radius = std::isfinite(parameters.radius_m);
+  if (sector.is_whole() && !has_heights && !has_radius) return;
+  const double x_m = parameters.observer_x_m - grid.origin_x_m,
+               z_m = parameters.observer_z_m - grid.origin_z_m;
+  const double eye_m = ground_m(grid, heights_m, x_m / grid.spacing_x_m, z_m / grid.spacing_z_m) +
+                       parameters.observer_height_m;
+  const double lowest = std::tan(limits.lowest_rad), highest = std::tan(limits.highest_rad);
+  const double radius_squared = parameters.radius_m * parameters.radius_m,
+               bend_perm = parameters.curve.bend_perm();
+  for (int row = 0; row < grid.rows; ++row) {
+    const double south_m = row * grid.spacing_z_m - z_m;
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
+    for (int column = 0; column < grid.columns; ++column) {
+      const double east_m = column * grid.spacing_x_m - x_m;
+      const double plan_squared = east_m * east_m + south_m * south_m;
+      const std::size_t post = first + static_cast<std::size_t>(column);
+      // What a viewshed has seen is within the radius, as it rounds that.
+      const bool is_far = has_radius && plan_squared > radius_squared && seen[post] != SIGHT_VISIBLE;
+      bool is_within = !is_far && sector.has({east_m, south_m});
+      if (is_within && has_heights) {
+        const double rise_m = static_cast<double>(heights_m[post]) + parameters.target_height_m - eye_m -
+                              bend_perm * plan_squared;
+        const double plan_m = std::sqrt(plan_squared);
+        // Straight up and down is no multiple of the way in plan.
+        is_within =
+            (!has_lowest || rise_m >= lowest * plan_m) && (!has_highest || rise_m <= highest * plan_m);
+      }
+      if (!is_within) seen[post] = outside;
+    }
+  }
+}
+
+}  // namespace offing::terrain
