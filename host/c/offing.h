@@ -432,6 +432,17 @@ OffingStatus offing_get_terrain_info(OffingTerrain* terrain, OffingTerrainInfo* 
  * posts without a height in the file. Either may be NULL. `count` must be rows * columns. */
 OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8_t* is_void, size_t count);
 
+/** Converts places [count][2] of a coordinate system to x and z in m on the terrain. `system` is "map" (the
+ * map's own coordinates), "lonlat" (degrees on WGS 84), "local" (m from the north-west post), or a name such
+ * as "EPSG:32719". East comes before north in every system, and so longitude before latitude. Places beyond
+ * an edge by less than 1e-6 of a post are on it; NaN: the map's system has no such place. The terrain must be
+ * a file that says where it lies, except for "local". `places` and `places_m` may be the same array. */
+OffingStatus offing_places_to_terrain(OffingTerrain* terrain, const char* system, const double* places,
+                                      double* places_m, size_t count);
+/** Converts x and z in m on the terrain [count][2] to places of a coordinate system, the other way. */
+OffingStatus offing_places_from_terrain(OffingTerrain* terrain, const char* system, const double* places_m,
+                                        double* places, size_t count);
+
 /** Settings of terrain queries. NULL and zeros mean normals of patches and no curvature of the Earth. */
 typedef struct OffingTerrainQuery {
   size_t size;            /**< sizeof(OffingTerrainQuery) */
@@ -501,6 +512,9 @@ typedef struct OffingViewshed {
   double target_height_m;            /**< of targets above ground, 0 to 1e6 */
   double radius_m;                   /**< in plan; nothing beyond is seen; 0: no limit */
   double earth_radius_m, refraction; /**< as in OffingTerrainQuery */
+  double azimuth_from_rad;           /**< where the sector begins, clockwise from north, -2 pi to 2 pi */
+  double azimuth_to_rad;             /**< where it ends, clockwise from its begin; both 0: the whole turn */
+  double lowest_rad, highest_rad;    /**< of lines of sight, up from level, within +-pi/2; both 0: all */
 } OffingViewshed;
 /** Computes which posts an observer sees: seen [rows][columns] is 255 for visible posts, 0 for hidden ones.
  * Filled voids count as posts. `count` must be rows * columns. Lines of sight are tested against the surface

@@ -2,17 +2,21 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
+#include "host/io/height_maps/map_coordinates.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/terrain/analysis/line_of_sight.h"
+#include "host/terrain/analysis/sight_limits.h"
 #include "host/terrain/analysis/viewshed.h"
 
 using offing::Error;
@@ -126,6 +130,39 @@ OffingTerrainInfo info_of_terrain(const OffingTerrain& terrain) {
   info.format = source.format.c_str();
   info.is_spacing_assumed = source.spacing_source == offing::SpacingSource::assumed ? 1 : 0;
   return info;
+}
+
+/// Pairs of a C array.
+std::vector<glm::dvec2> pairs_at(const double* pairs, std::size_t count) {
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i < count; ++i) places.emplace_back(pairs[2 * i], pairs[2 * i + 1]);
+  return places;
+}
+
+void write_pairs(double* pairs, const std::vector<glm::dvec2>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    pairs[2 * i] = places[i].x;
+    pairs[2 * i + 1] = places[i].y;
+  }
+}
+
+std::unique_ptr<offing::MapCoordinates> coordinates_of(const OffingTerrain& terrain, const char* system) {
+  return offing::map_coordinates(offing::frame_of("terrain", terrain.file.map), system, "system");
+}
+
+/// Zeros of a struct that knows no limits, and of one that asks for none, mean all directions.
+offing::terrain::SightLimits limits_of(const OffingViewshed& asked) {
+  offing::terrain::SightLimits limits;
+  if (asked.azimuth_from_rad != 0.0 || asked.azimuth_to_rad != 0.0) {
+    limits.azimuth_from_rad = asked.azimuth_from_rad;
+    limits.azimuth_to_rad = asked.azimuth_to_rad;
+  }
+  if (asked.lowest_rad != 0.0 || asked.highest_rad != 0.0) {
+    limits.lowest_rad = asked.lowest_rad;
+    limits.highest_rad = asked.highest_rad;
+  }
+  offing::terrain::require_valid(limits);
+  return limits;
 }
 
 /// Flat ground for a radius of 0. Throws what require_valid() throws.
@@ -281,6 +318,32 @@ OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8
   });
 }
 
+OffingStatus offing_places_to_terrain(OffingTerrain* terrain, const char* system, const double* places,
+                                      double* places_m, size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    require(system, "system");
+    const auto coordinates = coordinates_of(*terrain, system);
+    if (count == 0) return;
+    require(places, "places");
+    require(places_m, "places_m");
+    write_pairs(places_m, coordinates->to_local(pairs_at(places, count)));
+  });
+}
+
+OffingStatus offing_places_from_terrain(OffingTerrain* terrain, const char* system, const double* places_m,
+                                        double* places, size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    require(system, "system");
+    const auto coordinates = coordinates_of(*terrain, system);
+    if (count == 0) return;
+    require(places_m, "places_m");
+    require(places, "places");
+    write_pairs(places, coordinates->from_local(pairs_at(places_m, count)));
+  });
+}
+
 OffingStatus offing_sample_terrain(OffingTerrain* terrain, const OffingTerrainQuery* query,
                                    const double* points_m, size_t count,
                                    const OffingTerrainSamples* samples) {
@@ -352,9 +415,12 @@ OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshe
         .radius_m = asked.radius_m == 0.0 ? no_limit : asked.radius_m,
         .curve = curve_of(asked.earth_radius_m, asked.refraction)};
     offing::terrain::require_valid(parameters, terrain->field.grid());
+    const offing::terrain::SightLimits limits = limits_of(asked);
     if (!terrain->viewshed) terrain->viewshed.emplace(terrain->device);
     offing::ocl::Buffer<std::uint8_t> found(terrain->device, count, "viewshed");
     terrain->viewshed->at(terrain->field, parameters, found);
     found.read(std::span(seen, count));
+    offing::terrain::mark_outside(terrain->field.grid(), terrain->file.map.heights_m, parameters, limits, 0,
+                                  std::span(seen, count));
   });
 }

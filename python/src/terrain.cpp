@@ -1,10 +1,12 @@
 // Terrain: height maps, rays, lines of sight and viewsheds.
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "handles.h"
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
 using namespace nb::literals;
@@ -136,14 +138,44 @@ class Terrain {
     return nb::make_tuple(visible, distance, hidden_at, hidden_by);
   }
 
+  /// Places of a system as x and z on the terrain.
+  nb::ndarray<nb::numpy, double> to_map(const Rows<2>& places, const std::string& system) {
+    const std::size_t count = places.shape(0);
+    auto places_m = new_array<double>({count, 2});
+    run([&] {
+      return offing_places_to_terrain(terrain_.get(), system.c_str(), places.data(), places_m.data(), count);
+    });
+    return places_m;
+  }
+  nb::ndarray<nb::numpy, double> from_map(const Rows<2>& places_m, const std::string& system) {
+    const std::size_t count = places_m.shape(0);
+    auto places = new_array<double>({count, 2});
+    run([&] {
+      return offing_places_from_terrain(terrain_.get(), system.c_str(), places_m.data(), places.data(),
+                                        count);
+    });
+    return places;
+  }
+
   nb::ndarray<nb::numpy, bool> viewshed(double x_m, double z_m, double observer_height_m,
                                         double target_height_m, double radius_m, double earth_radius_m,
-                                        double refraction) {
+                                        double refraction, std::pair<double, double> azimuth_rad,
+                                        std::pair<double, double> elevation_rad) {
     const auto [rows, columns] = shape();
     auto seen = new_array<bool>({rows, columns});
     auto* const bytes = reinterpret_cast<std::uint8_t*>(seen.data());
-    const OffingViewshed wanted{sizeof wanted,  x_m,       z_m, observer_height_m, target_height_m, radius_m,
-                                earth_radius_m, refraction};
+    const OffingViewshed wanted{sizeof wanted,
+                                x_m,
+                                z_m,
+                                observer_height_m,
+                                target_height_m,
+                                radius_m,
+                                earth_radius_m,
+                                refraction,
+                                azimuth_rad.first,
+                                azimuth_rad.second,
+                                elevation_rad.first,
+                                elevation_rad.second};
     run([&] {
       const OffingStatus status = offing_compute_viewshed(terrain_.get(), &wanted, bytes, rows * columns);
       for (std::size_t i = 0; status == OFFING_OK && i < rows * columns; ++i)
@@ -186,5 +218,7 @@ void bind_terrain(nb::module_& module) {
       .def("trace_sight_lines", &Terrain::trace_sight_lines, "from_m"_a, "to_m"_a, "earth_radius_m"_a,
            "refraction"_a)
       .def("viewshed", &Terrain::viewshed, "x_m"_a, "z_m"_a, "observer_height_m"_a, "target_height_m"_a,
-           "radius_m"_a, "earth_radius_m"_a, "refraction"_a);
+           "radius_m"_a, "earth_radius_m"_a, "refraction"_a, "azimuth_rad"_a, "elevation_rad"_a)
+      .def("to_map", &Terrain::to_map, "places"_a, "system"_a)
+      .def("from_map", &Terrain::from_map, "places_m"_a, "system"_a);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -232,6 +233,63 @@ TEST_F(TerrainCallsTest, ComputesViewsheds) {
   EXPECT_EQ(seen, due.read());
   EXPECT_THAT(seen, testing::Contains(255));
   EXPECT_THAT(seen, testing::Contains(0));
+}
+
+// Fails if the angles of a viewshed do nothing, or zeros are no whole turn: north-east of the observer are
+// the columns and rows that grow east and north.
+TEST_F(TerrainCallsTest, LimitsViewsheds) {
+  auto viewshed = sized<OffingViewshed>();
+  viewshed.observer_x_m = 57.0;
+  viewshed.observer_z_m = 83.0;
+  viewshed.observer_height_m = 4.0;
+  std::vector<std::uint8_t> all(map_.heights_m.size()), seen(map_.heights_m.size());
+  ASSERT_EQ(offing_compute_viewshed(terrain_, &viewshed, all.data(), all.size()), OFFING_OK);
+  viewshed.azimuth_to_rad = 0.5 * std::numbers::pi;
+  ASSERT_EQ(offing_compute_viewshed(terrain_, &viewshed, seen.data(), seen.size()), OFFING_OK)
+      << offing_last_error();
+  for (int row = 0; row < map_.rows; ++row) {
+    for (int column = 0; column < map_.columns; ++column) {
+      const bool is_north_east = column * map_.spacing_x_m >= 57.0 && row * map_.spacing_z_m <= 83.0;
+      EXPECT_EQ(seen[map_.index(column, row)], is_north_east ? all[map_.index(column, row)] : 0);
+    }
+  }
+  viewshed.lowest_rad = 0.3;
+  viewshed.highest_rad = 0.2;
+  EXPECT_EQ(offing_compute_viewshed(terrain_, &viewshed, seen.data(), seen.size()), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("highest"));
+}
+
+// Fails if places are elsewhere than the file says, or a terrain that lies nowhere has a place in the world.
+TEST_F(TerrainCallsTest, ConvertsPlaces) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "grid.asc").string();
+  std::ofstream(file) << "ncols 3\nnrows 2\nxllcenter -70.5\nyllcenter -32.5\ncellsize 0.01\n1 2 3\n4 5 6\n";
+  std::ofstream((folder.path() / "grid.prj").string())
+      << "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+         "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]";
+  OffingTerrain* terrain = nullptr;
+  ASSERT_EQ(offing_open_terrain(device_, file.c_str(), nullptr, &terrain), OFFING_OK) << offing_last_error();
+  auto info = sized<OffingTerrainInfo>();
+  ASSERT_EQ(offing_get_terrain_info(terrain, &info), OFFING_OK);
+  std::array<double, 4> places{-70.48, -32.5, 289.5, -32.49}, again{};
+  std::array<double, 4> places_m{};
+  ASSERT_EQ(offing_places_to_terrain(terrain, "lonlat", places.data(), places_m.data(), 2), OFFING_OK)
+      << offing_last_error();
+  EXPECT_NEAR(places_m[0], 2.0 * info.spacing_x_m, 1e-6);
+  EXPECT_NEAR(places_m[1], info.spacing_z_m, 1e-6);
+  EXPECT_NEAR(places_m[2], 0.0, 1e-6);
+  EXPECT_NEAR(places_m[3], 0.0, 1e-6);
+  ASSERT_EQ(offing_places_from_terrain(terrain, "EPSG:4326", places_m.data(), again.data(), 2), OFFING_OK);
+  EXPECT_NEAR(again[0], -70.48, 1e-9);
+  EXPECT_NEAR(again[2], -70.5, 1e-9);
+  EXPECT_EQ(offing_places_to_terrain(terrain, "atlantis", places.data(), places_m.data(), 2),
+            OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("system: expected local, map, lonlat"));
+  offing_free_terrain(terrain);
+  EXPECT_EQ(offing_places_to_terrain(terrain_, "lonlat", places.data(), places_m.data(), 2),
+            OFFING_BAD_INPUT);
+  EXPECT_EQ(offing_places_to_terrain(terrain_, "local", places.data(), places_m.data(), 2), OFFING_OK);
+  EXPECT_EQ(places_m, places);
 }
 
 // Fails if a bad argument is taken, or refused without a word that helps.

@@ -45,6 +45,24 @@ class TerrainTest(unittest.TestCase):
         self.assertTrue(seen[80, 50])
         self.assertFalse(seen[10, 50])
         self.assertFalse(self.ridge.viewshed(500.0, 900.0, radius_m=50.0)[80, 50])
+        south = self.ridge.viewshed(500.0, 900.0, observer_height_m=2.0, azimuth_deg=(90.0, 270.0))
+        self.assertTrue(south[95, 50])
+        self.assertFalse(south[80, 50])
+
+    # Fails if longitude and latitude change places, or the way back leads elsewhere.
+    def test_places(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.asc"
+            path.write_text("ncols 2\nnrows 2\nxllcenter -70.5\nyllcenter -32.5\ncellsize 0.01\n1 2\n3 4\n")
+            path.with_suffix(".prj").write_text(
+                'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],'
+                'UNIT["degree",0.0174532925199433]]')
+            terrain = offing.Terrain(path, device=self.device)
+            place = [[-70.49, -32.49]]
+            np.testing.assert_allclose(terrain.to_map(place), [[terrain.info["spacing_x_m"], 0.0]], atol=1e-6)
+            np.testing.assert_allclose(terrain.from_map(terrain.to_map(place), "EPSG:4326"), place, atol=1e-9)
+            with self.assertRaisesRegex(offing.BadInput, "expected local, map, lonlat"):
+                terrain.to_map(place, "atlantis")
 
     # Fails if rays straight down miss the ground, or upward ones hit it.
     def test_rays(self):
