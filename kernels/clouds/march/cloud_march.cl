@@ -11,13 +11,16 @@
 #include "clouds/march/pixel_rays.clh"
 #include "simd/lane_exponents.clh"
 
-// Longest piece in optical depths of the scaled medium, and shortest in cells.
+// Longest piece in optical depths of the scaled medium, shortest in cells, and longest in cells where all light comes
+// through and where hardly any does: little is seen of what lies deep.
 #define PIECE_DEPTH 0.4f
 #define LEAST_PIECE 0.25f
+#define LONGEST_PIECE 1.0f
+#define LONGEST_DEEP_PIECE 4.0f
 // What was scattered before changes little in this share of an edge of its cells.
-#define SOURCE_EDGES 0.3f
+#define SOURCE_EDGES 0.6f
 // What lies behind this little of the scaled light is not looked at, and taken to be as what lies before.
-#define LEAST_KEPT 1e-2f
+#define LEAST_KEPT 3e-2f
 // Lumps smaller than particles: what they add to the density and take from it, 1 in the mean, and pixels of a texel of
 // noise between which they fade in.
 #define LUMP_STRENGTH 1.0f
@@ -181,8 +184,9 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
     const int_lanes holds = -gathered_ints(arrays.blocks, block) & goes_on;
     const lanes past = least(least(to_edge(block_x, cross_x), to_edge(block_y, cross_y)), to_edge(block_z, cross_z)) +
                        0.01f * volume.cell_m;
-    const lanes longest = volume.cell_m;
-    lanes piece = least(most(PIECE_DEPTH / rough, LEAST_PIECE * longest), longest);
+    const lanes longest =
+        volume.cell_m * mixed((lanes)LONGEST_DEEP_PIECE, (lanes)LONGEST_PIECE, most_kept(march));
+    lanes piece = least(most(PIECE_DEPTH / rough, (lanes)(LEAST_PIECE * volume.cell_m)), longest);
     piece = least(select(past, piece, holds), leave - way);
     if (any_lane(holds)) {
       const lanes half_piece = 0.5f * piece;
