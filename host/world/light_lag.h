@@ -10,8 +10,8 @@ struct LightLag {
   /// Clouds are lit at every so many'th of their steps of time, 1 or more; from 2 on those that drift as one
   /// keep their shapes in between too.
   int cloud_steps = 1;
-  /// New light on clouds that have some is worked out by so many WorldClouds::light() at most, 1 or more;
-  /// meanwhile they keep the light before.
+  /// New light on clouds is spread over this many calls of WorldClouds::light() at most, 1 or more; until it is
+  /// whole the old light stays.
   int cloud_light_frames = 1;
   /// Clouds send an eye the light that they sent to one at most so far aside, rad as seen from any of them.
   double cloud_rad = 0.0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -103,7 +104,7 @@ struct LitClouds {
              std::span<const clouds::CloudIllumination> with_others, std::uint32_t count,
              std::span<const clouds::CloudLook> looks, clouds::LightModel model,
              clouds::ParticleAlbedo albedo, const LitClouds& like) {
-    by.assign(lights.begin(), lights.end());
+    by.clear();
     box.reset();
     resolved.clear();
     is_resolved = model != clouds::LightModel::calibrated;
@@ -112,6 +113,7 @@ struct LitClouds {
     billboards.start_relight(placed.particles, count, with_others, looks, model, albedo);
     if (has_marched) marched->start_relight(placed.particles, count, with_others, looks, model, albedo);
     to_march = like.resolved.marched();
+    by.assign(lights.begin(), lights.end());
   }
 
   std::size_t steps_left() const {
@@ -223,6 +225,13 @@ struct WorldClouds::Sky {
     return clouds::with_light_of_others(of_clouds, extents, looks);
   }
 
+  /// From where they are lit to where they are at shown_at_s; whether that is elsewhere than before.
+  bool carry() {
+    const glm::dvec3 before_m = carried_m;
+    carried_m = drift_m(parameters.clouds, *lit->placed.time_s, shown_at_s);
+    return carried_m != before_m;
+  }
+
   void light(LitClouds& clouds, std::span<const clouds::CloudIllumination> of_clouds) {
     const bool has_own_albedo = std::any_of(
         models.begin(), models.end(), [](const ModelLevels& levels) { return levels[0]->has_own_albedo(); });
@@ -238,9 +247,15 @@ struct WorldClouds::Sky {
       const auto frames = static_cast<std::size_t>(lag.cloud_light_frames);
       steps_of_frame = (next->steps_left() + frames - 1) / frames;
     }
-    for (std::size_t i = 0; i < steps_of_frame && next->steps_left() > 0; ++i) next->light_further();
+    try {
+      for (std::size_t i = 0; i < steps_of_frame && next->steps_left() > 0; ++i) next->light_further();
+    } catch (...) {
+      is_lighting = false;
+      throw;
+    }
     if (next->steps_left() > 0) return;
     std::swap(lit, next);
+    carry();
     is_lighting = has_shadow = false;
     for (SentLight& sent : lights) sent.is_old = true, sent.parts_left = 0;
     forget_orders();
@@ -313,6 +328,7 @@ struct WorldClouds::Sky {
   std::size_t steps_of_frame = 0;   // of its light
   LightLag lag;
   bool is_one = false;                           // the clouds drift as one
+  double shown_at_s = 0.0;                       // of the last at()
   glm::dvec3 carried_m{0.0};                     // from `lit` to `shown`
   std::array<SentLight, seen_by_count> lights;   // to each of them
   std::array<SeenOrder, seen_by_count> orders;   // from each of them
@@ -415,14 +431,16 @@ void WorldClouds::at(double time_s) {
     sky.start_next(light_at_s);
   }
   const bool has_moved = !sky.carries() && sky.place(time_s, sky.shown);
-  const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit->placed.time_s, time_s);
-  if (!has_moved && carried_m == sky.carried_m) return;
-  sky.carried_m = carried_m;
-  sky.forget_orders();
+  sky.shown_at_s = time_s;
+  if (sky.carry() || has_moved) sky.forget_orders();
 }
 
 void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
   Sky& sky = *sky_;
+  if (of_clouds.size() != sky.models.size()) {
+    throw Error(ErrorKind::bad_usage, fmt::format("light of clouds: expected {} illuminations, got {}",
+                                                  sky.models.size(), of_clouds.size()));
+  }
   if (sky.count == 0) return;
   if (sky.is_lighting) {
     sky.light_further(of_clouds);
@@ -435,8 +453,13 @@ void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
     return;
   }
   sky.forget_light();
-  sky.light(*sky.lit, of_clouds);
-  while (sky.lit->steps_left() > 0) sky.lit->light_further();
+  try {
+    sky.light(*sky.lit, of_clouds);
+    while (sky.lit->steps_left() > 0) sky.lit->light_further();
+  } catch (...) {
+    sky.forget_light();  // what is half made is no light
+    throw;
+  }
   sky.forget_orders();
 }
 

@@ -27,7 +27,7 @@ struct CloudSkyParameters {
   clouds::LightModel light_model = clouds::LightModel::calibrated;
   bool throws_shadows = true;  ///< on ground, sea and meshes
   /// The light on clouds that move is that of the last multiple of this time, carried along with them; 0: of
-  /// any time itself. A sun that moves is followed at once.
+  /// any time itself. A sun that moves is followed at once, but for LightLag::cloud_light_frames.
   double light_step_s = 0.5;
 
   bool operator==(const CloudSkyParameters&) const = default;
@@ -56,13 +56,14 @@ class WorldClouds {
   /// effect with the next at(), light() and see(). Throws what ocl::Buffer throws, Error(bad_usage) for
   /// another number, and has changed nothing then.
   void set_particle_halvings(int halvings);
-  /// Takes effect with the next at() and see().
+  /// Takes effect with the next at(), light() and see().
   void set_light_lag(const LightLag& lag);
   /// Enqueues the clouds as they are at a time, whatever was asked before.
   void at(double time_s);
   /// Enqueues the light that reaches the particles of the last at(), or those of the step of light before it,
-  /// one illumination a cloud; nothing where neither they nor the light have changed. Throws Error(bad_usage)
-  /// for another number.
+  /// one illumination a cloud; nothing where neither they nor the light have changed. With
+  /// LightLag::cloud_light_frames above 1, clouds keep the light before until the new one is whole:
+  /// illumination(), see() and cast_shadow() are of that one. Throws Error(bad_usage) for another number.
   void light(std::span<const clouds::CloudIllumination> of_clouds);
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);

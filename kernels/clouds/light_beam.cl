@@ -4,7 +4,7 @@
 // Other clouds before this one take their share from all cells of a line alike.
 // In:  grids, looks, lights [clouds], medium, absorption; of light_entry.cl entries, which count where there are several
 //      clouds.
-// Out: beams [clouds][suns][channels][CELLS].
+// Out: beams [clouds][suns][channels][grid.room].
 // One work-group of GROUP_SIZE a sun and channel (dimension 0) and cloud (1).
 #include "simd/lane_exponents.clh"
 #include "clouds/light_entry.clh"

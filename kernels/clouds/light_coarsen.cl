@@ -18,21 +18,21 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_coar
       for (int child = 0; child < 4; ++child) {
         const int at = fine.start +
                        ((2 * piece.z + child / 2) * fine.size_y + 2 * piece.y + child % 2) * fine.pitch + x;
-        out += pair_sums(load_lanes(faces + FACES_OUT(level.room) + at), load_lanes(faces + FACES_OUT(level.room) + at + then));
+        out += pair_sums(load_lanes(faces + FACES_OUT(level) + at), load_lanes(faces + FACES_OUT(level) + at + then));
         // Of faces toward the next coarse cell the mean of four: those of the children on that side.
         next_x += later_of_pairs(load_lanes(faces + FACES_X + at), load_lanes(faces + FACES_X + at + then));
         if (child % 2 == 1)
-          next_y += pair_sums(load_lanes(faces + FACES_Y(level.room) + at), load_lanes(faces + FACES_Y(level.room) + at + then));
+          next_y += pair_sums(load_lanes(faces + FACES_Y(level) + at), load_lanes(faces + FACES_Y(level) + at + then));
         if (child / 2 == 1)
-          next_z += pair_sums(load_lanes(faces + FACES_Z(level.room) + at), load_lanes(faces + FACES_Z(level.room) + at + then));
+          next_z += pair_sums(load_lanes(faces + FACES_Z(level) + at), load_lanes(faces + FACES_Z(level) + at + then));
       }
       const lanes is_cell = cells_in_row(level, piece.x);
       // Twice the distance makes D / c^2 a quarter.
       store_lanes(0.0625f * is_cell * next_x, faces + FACES_X + piece.at);
-      store_lanes(0.0625f * is_cell * next_y, faces + FACES_Y(level.room) + piece.at);
-      store_lanes(0.0625f * is_cell * next_z, faces + FACES_Z(level.room) + piece.at);
+      store_lanes(0.0625f * is_cell * next_y, faces + FACES_Y(level) + piece.at);
+      store_lanes(0.0625f * is_cell * next_z, faces + FACES_Z(level) + piece.at);
       // Beyond a row light that is not there leaves, so that what is divided by is not zero.
-      store_lanes(0.125f * is_cell * out + (1.0f - is_cell), faces + FACES_OUT(level.room) + piece.at);
+      store_lanes(0.125f * is_cell * out + (1.0f - is_cell), faces + FACES_OUT(level) + piece.at);
     }
     wait_for_group();
   }
@@ -41,9 +41,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_coar
     for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
       __global float *ways = faces + piece_of(level, i).at;
       const lanes all = (load_lanes(ways + FACES_X) + load_lanes(ways + FACES_X - 1)) +
-                        (load_lanes(ways + FACES_Y(level.room)) + load_lanes(ways + FACES_Y(level.room) - level.pitch)) +
-                        (load_lanes(ways + FACES_Z(level.room)) + load_lanes(ways + FACES_Z(level.room) - plane)) + load_lanes(ways + FACES_OUT(level.room));
-      store_lanes(1.0f / all, ways + FACES_OUT(level.room));
+                        (load_lanes(ways + FACES_Y(level)) + load_lanes(ways + FACES_Y(level) - level.pitch)) +
+                        (load_lanes(ways + FACES_Z(level)) + load_lanes(ways + FACES_Z(level) - plane)) + load_lanes(ways + FACES_OUT(level));
+      store_lanes(1.0f / all, ways + FACES_OUT(level));
     }
     if (is_coarsest(level)) break;
   }

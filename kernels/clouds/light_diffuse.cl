@@ -22,10 +22,10 @@ static inline lanes flow_into(__global const float *restrict faces, __global con
                               const Level level, int at) {
   const int plane = level.pitch * level.size_y;
   return (passed_on(load_lanes(faces + FACES_X + at), fluence + at + 1) + load_lanes(faces + FACES_X + at - 1) * left) +
-         (passed_on(load_lanes(faces + FACES_Y(level.room) + at), fluence + at + level.pitch) +
-          passed_on(load_lanes(faces + FACES_Y(level.room) + at - level.pitch), fluence + at - level.pitch)) +
-         (passed_on(load_lanes(faces + FACES_Z(level.room) + at), fluence + at + plane) +
-          passed_on(load_lanes(faces + FACES_Z(level.room) + at - plane), fluence + at - plane));
+         (passed_on(load_lanes(faces + FACES_Y(level) + at), fluence + at + level.pitch) +
+          passed_on(load_lanes(faces + FACES_Y(level) + at - level.pitch), fluence + at - level.pitch)) +
+         (passed_on(load_lanes(faces + FACES_Z(level) + at), fluence + at + plane) +
+          passed_on(load_lanes(faces + FACES_Z(level) + at - plane), fluence + at - plane));
 }
 
 // Along a row each cell takes what its neighbours had before, but for the first of CLOUD_LEAST_CELLS side by side, which are
@@ -44,7 +44,7 @@ static inline void relax_row(__global const float *restrict faces, __global cons
     const lanes left = load_lanes(fluence + at - 1);
 #endif
     store_lanes((load_lanes(sources + at) + flow_into(faces, fluence, left, level, at)) *
-                    load_lanes(faces + FACES_OUT(level.room) + at),
+                    load_lanes(faces + FACES_OUT(level) + at),
                 fluence + at);
 #if LANES == 1
     left = before;
@@ -80,7 +80,7 @@ static inline void relax(__global const float *restrict faces, __global const fl
 static inline lanes residual(__global const float *restrict faces, __global const float *restrict sources,
                              __global const float *fluence, const Level level, int at) {
   return load_lanes(sources + at) + flow_into(faces, fluence, load_lanes(fluence + at - 1), level, at) -
-         load_lanes(fluence + at) / load_lanes(faces + FACES_OUT(level.room) + at);
+         load_lanes(fluence + at) / load_lanes(faces + FACES_OUT(level) + at);
 }
 
 // Means of the residuals of eight cells, as sources of the coarser level.

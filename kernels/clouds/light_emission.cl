@@ -1,9 +1,9 @@
 // What each cell of the clouds' grids sends on in each direction, of the suns' beams and of the light that is known there.
 // In:    grids, looks, lights, medium, absorption, beams; faces and fluence of light_diffuse.cl; the first cloud; whether
 //        these are the first sweeps. Global size: items that share the cells, clouds from it on.
-// Inout: moments [clouds][CELLS][4] of diffusion.clh: of the last sweeps, if there are any, then with what was
+// Inout: moments [clouds][grid.room][4] of diffusion.clh: of the last sweeps, if there are any, then with what was
 //        diffused.
-// Out:   emission [clouds][CELLS][4]: radiance toward d is e0 + e1 d.x + e2 d.y + e3 d.z, kcd/m^2 per depth in the scaled
+// Out:   emission [clouds][grid.room][4]: radiance toward d is e0 + e1 d.x + e2 d.y + e3 d.z, kcd/m^2 per depth in the scaled
 //        medium; e0.w, e1.w and e2.w are the scaled extinction of red, green and blue, 1/m.
 #include "clouds/diffusion.clh"
 

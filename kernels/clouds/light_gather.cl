@@ -1,7 +1,7 @@
 // The moments of the light of all directions, and what one more scattering adds to them: sources of light_diffuse.cl.
 // In:    grids, looks, medium, absorption; radiances of light_sweep.cl; the first cloud. Global size: items that share the
 //        cells, clouds from it on.
-// Inout: moments [clouds][CELLS][4]: those that the sweeps began with, then of their light.
+// Inout: moments [clouds][grid.room][4]: those that the sweeps began with, then of their light.
 // Out:   of the finest level of each of these clouds, sources [clouds][3][LEVEL_CELLS].
 #include "clouds/diffusion.clh"
 

@@ -1,8 +1,8 @@
 // What particle_scatter.cl reads of light that was scattered often.
 // In:  grids, looks, medium; moments of light_gather.cl, faces and fluence of light_diffuse.cl; the first cloud. Global size:
 //      items that share the cells, clouds from it on.
-// Out: glow [clouds][CELLS]: light scattered toward any direction, kcd/m^2 per depth of what scatters, and the extinction;
-//      drift [clouds][channels][CELLS]: lean 3 g' F / u, by which more goes along the flux.
+// Out: glow [clouds][grid.room]: light scattered toward any direction, kcd/m^2 per depth of what scatters, and the extinction;
+//      drift [clouds][channels][grid.room]: lean 3 g' F / u, by which more goes along the flux.
 #include "clouds/diffusion.clh"
 
 __kernel void light_glow(__global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,

@@ -89,8 +89,8 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     lanes up = (lanes)0.0f, back = (lanes)0.0f;
     if (piece.y < last_y) up = conductances(grid.cell_y, here, transport_at(of_channel, look, at + row));
     if (piece.z < last_z) back = conductances(grid.cell_z, here, transport_at(of_channel, look, at + plane));
-    store_lanes(up, ways + FACES_Y(level.room));
-    store_lanes(back, ways + FACES_Z(level.room));
+    store_lanes(up, ways + FACES_Y(level));
+    store_lanes(back, ways + FACES_Z(level));
 
     // Sides see half of each hemisphere; top and bottom one.
     lanes beside = select((lanes)0.0f, side_conductances(grid.cell_x, here), mask_of(x < 0.5f) | mask_of(x > last_x - 0.5f));
@@ -98,7 +98,7 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     lanes below = (lanes)0.0f, above = (lanes)0.0f;
     if (piece.y == 0) below = side_conductances(grid.cell_y, here);
     if (piece.y == last_y) above = side_conductances(grid.cell_y, here);
-    store_lanes(beside + below + above + load_lanes(of_channel.absorption + at), ways + FACES_OUT(level.room));
+    store_lanes(beside + below + above + load_lanes(of_channel.absorption + at), ways + FACES_OUT(level));
     const lanes of_sky = 4.0f * PI * (0.5f * beside + above), of_ground = 4.0f * PI * (0.5f * beside + below);
     lanes red = light.above_red * of_sky + light.below_red * of_ground;
     lanes green = light.above_green * of_sky + light.below_green * of_ground;

@@ -3,7 +3,7 @@
 // In:  grids, lights; emission of light_emission.cl; the first cloud.
 //      leaving [clouds][DIRECTIONS][2][3][RIMMED_CELLS], room for what leaves the cells of the plane before and of this
 //      one, in turn, of each colour.
-// Out: radiances [clouds][DIRECTIONS][CELLS], kcd/m^2: means over the way through each cell.
+// Out: radiances [clouds][DIRECTIONS][grid.room], kcd/m^2: means over the way through each cell.
 // One work-group of GROUP_SIZE a direction (dimension 0) and cloud from the first on (1).
 #include "clouds/diffusion.clh"
 

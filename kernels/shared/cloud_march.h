@@ -9,8 +9,13 @@
 #define CLOUD_MARCH_BLOCK 4
 #define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
 
-// A cloud is marched where cubes of its box, so many, are large in the picture.
+// A cloud's box divided into so many equal cubes: the cloud is marched where their edge is large in the picture.
 #define CLOUD_MARCH_EDGES 4096.0f
+
+// Least radius of a particle's ball, in cells of a volume. The ball's sum over cells depends on where their
+// middles lie, rms: radius 1: 17 %, 1.2: 1.1 %, 1.4: 3.9 %, 1.6: 1.4 %, 1.8: 0.7 %. A large one blurs thin rims:
+// with 1.8 those of a cumulonimbus against the sun are 13 % too bright.
+#define CLOUD_MARCH_LEAST_RADIUS 1.2f
 
 // Edge of the cube of noise that lumps the density (host/clouds/light/lump_noise.h); a power of two.
 #define CLOUD_LUMP_TEXELS 64
@@ -19,7 +24,7 @@
 typedef struct {
   float low_x, low_y, low_z, high_x, high_y, high_z;  // m, along these axes
   int first, end;                                     // of its particles; equal: it has none
-  float edge_m;                                       // of cubes as large as its box, CLOUD_MARCH_EDGES of them
+  float edge_m;                                       // of one of CLOUD_MARCH_EDGES equal cubes that fill its box
   float radius_m;                                     // of its particles, in the mean
   float anchor_x, anchor_y, anchor_z;                 // m: a particle, which noise moves with
 } CloudMarchBounds;

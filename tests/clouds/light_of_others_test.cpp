@@ -63,15 +63,36 @@ TEST(LightOfOthersTest, WideLayerGivesBackWhatItGets) {
   EXPECT_LT(glm::length(lights[1].clouds_above_kcdpm2), 1e-4);
 }
 
-// Fails if a cloud alone, one without particles, or one far away changes anything.
+CloudIllumination sun_overhead() {
+  CloudIllumination light = even_light();
+  light.ground_kcdpm2 = glm::dvec3(0.5);
+  light.suns.push_back({{0.0, 1.0, 0.0}, glm::dvec3(80.0)});
+  return light;
+}
+
+// Fails if a cloud alone, one without particles, or one far away changes anything; or if one nearer than ten
+// times its size does not.
 TEST(LightOfOthersTest, LeavesThoseAloneThatAreAlone) {
   const CloudExtent cloud = ellipsoid({0, 0, 0}, {500, 300, 400}, 30.0);
-  for (const auto& others :
-       {std::vector<CloudExtent>{}, {CloudExtent{}}, {ellipsoid({6000, 0, 0}, {500, 300, 400}, 30.0)}}) {
-    std::vector<CloudExtent> clouds = others;
+  const auto lit_beside = [&](std::vector<CloudExtent> clouds) {
     clouds.push_back(cloud);
-    EXPECT_EQ(lit(even_light(), clouds).back(), even_light());
-  }
+    return lit(sun_overhead(), clouds).back();
+  };
+  EXPECT_EQ(lit_beside({}), sun_overhead());
+  EXPECT_EQ(lit_beside({CloudExtent{}}), sun_overhead());
+  EXPECT_EQ(lit_beside({ellipsoid({5001, 0, 0}, {500, 300, 400}, 30.0)}), sun_overhead());
+  EXPECT_NE(lit_beside({ellipsoid({1500, 0, 0}, {500, 300, 400}, 30.0)}), sun_overhead());
+}
+
+// Under a wide deep cloud with the sun overhead a layer gets no sun: it shows the cloud what sky and ground
+// give. Fails if clouds do not shade what they see.
+TEST(LightOfOthersTest, CloudsShadeWhatTheySee) {
+  const CloudExtent above = ellipsoid({0, 2000, 0}, {1e4, 200, 1e4}, 1e4),
+                    below = ellipsoid({0, 0, 0}, {1e4, 200, 1e4}, 1e4);
+  const auto lights = lit(sun_overhead(), {above, below});
+  // The sun would give 80 / pi, 25. Most of what is seen below lies in shade.
+  EXPECT_LT(lights[0].clouds_below_kcdpm2.y, 8.0);
+  EXPECT_GT(lights[0].clouds_below_kcdpm2.y, 0.0);
 }
 
 CloudParticle particle_at(float x, float y, float z) {

@@ -48,7 +48,7 @@ def exported_medium(scene, cell_m, out):
                 "type": "heterogeneous", "scale": extinction_per_m, "albedo": 0.9999,
                 "sigma_t": {"type": "gridvolume", "grid": mi.VolumeGrid(density), "to_world": box},
                 "phase": {"type": "blendphase", "weight": 0.05,
-                          "forward": {"type": "hg", "g": 0.85}, "backward": {"type": "hg", "g": -0.3}}}}
+                          "lobe_1": {"type": "hg", "g": 0.85}, "lobe_2": {"type": "hg", "g": -0.3}}}}
 
 
 def mitsuba_scene(medium, setting):

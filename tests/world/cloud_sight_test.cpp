@@ -191,7 +191,8 @@ TEST(WorldClouds, WorksOutLightOverFrames) {
   view.set_light_lag({.cloud_light_frames = 3});
   clouds::CloudIllumination evening = daylight();
   evening.suns[0].direction = {0.8, 0.6, 0.0};
-  const auto by_day = seen_at(exact, 2.0, daylight()), at_night_fall = seen_at(exact, 2.5, evening);
+  const auto by_day = seen_at(exact, 2.0, daylight()), later = seen_at(exact, 2.5, daylight()),
+             at_night_fall = seen_at(exact, 2.5, evening);
   ASSERT_NE(by_day, at_night_fall);
   EXPECT_EQ(seen_at(view, 2.0, daylight()), by_day) << "the first light comes at once";
   for (int frame = 1; frame <= 2; ++frame) {
@@ -203,12 +204,44 @@ TEST(WorldClouds, WorksOutLightOverFrames) {
     EXPECT_LT(difference, 1e-2) << frame;
     EXPECT_EQ(view.illumination()[0].suns[0].direction, daylight().suns[0].direction);
   }
-  seen_at(view, 2.5, evening);
+  EXPECT_EQ(seen_at(view, 2.5, evening), later) << "the frame in which it is whole";
   for (int frame = 1; frame <= 3; ++frame) {
     EXPECT_EQ(view.illumination()[0].suns[0].direction, daylight().suns[0].direction) << frame;
     seen_at(view, 2.5, evening);
   }
   EXPECT_EQ(seen_at(view, 2.5, evening), at_night_fall);
+}
+
+// Fails if clouds jump in the frame in which their light is whole, or if what interrupts it leaves light of
+// before.
+TEST(WorldClouds, CarriesCloudsWhileTheirLightIsWorkedOut) {
+  CloudSkyParameters sky = windy_clouds(0.5);
+  WorldClouds view(device(), sky), exact(device(), sky);
+  view.set_light_lag({.cloud_steps = 4, .cloud_light_frames = 3});
+  const auto first_place = [](WorldClouds& of, double time_s) {
+    of.at(time_s);
+    of.light(daylight());
+    const glm::dvec3 origin_m = of.sky_origin_m();
+    const CloudParticle first = of.particles().read().front();
+    return origin_m + glm::dvec3(first.x, first.y, first.z);
+  };
+  const glm::dvec3 start_m = first_place(view, 2.0);
+  for (int frame = 1; frame <= 30; ++frame) {
+    const double elapsed_s = 0.1 * frame;
+    EXPECT_LT(
+        glm::distance(first_place(view, 2.0 + elapsed_s), start_m + elapsed_s * glm::dvec3(12.0, 0.0, 5.0)),
+        1e-3)
+        << elapsed_s;
+  }
+  EXPECT_EQ(view.lit_at_s(), 4.0);
+  // Interrupted while light is under way: at 6 s it begins anew.
+  first_place(view, 6.0);
+  view.set_particle_halvings(1);
+  exact.set_particle_halvings(1);
+  exact.set_light_lag({.cloud_steps = 4});
+  EXPECT_EQ(first_place(view, 6.0), first_place(exact, 6.0));
+  EXPECT_EQ(view.lit_at_s(), 6.0);
+  EXPECT_THROW(view.light(std::vector<clouds::CloudIllumination>(3, daylight())), Error);
 }
 
 // Clouds that lag keep their shape between steps of light and go on with the wind. Fails if they stand still,

@@ -18,8 +18,8 @@ namespace offing::clouds {
 namespace {
 
 constexpr int golden_count = 64;
-// Clouds farther away than so many of their longest half axes cover less than 0.3 % of what there is to see.
-// Of those that are nearer so many count, the largest to see: 200 clouds take some 10 ms.
+// Clouds farther away than ten times their longest half axis cover less than 0.3 % of the view. Of the rest
+// the 32 that look largest count: 200 clouds take some 10 ms.
 constexpr double farthest_sizes = 10.0;
 constexpr std::size_t most_near = 32;
 
@@ -34,13 +34,13 @@ std::array<glm::dvec3, golden_count> golden_directions() {
   return all;
 }
 
-/// Of the ellipsoid along a direction, m2.
+/// Area of the ellipsoid's shadow along a direction, m2.
 double shadow_m2(const glm::dvec3& half_axes_m, const glm::dvec3& direction) {
   const glm::dvec3& a = half_axes_m;
   return std::numbers::pi * glm::length(glm::dvec3(a.y * a.z, a.x * a.z, a.x * a.y) * direction);
 }
 
-/// Of the ellipsoid, within 1.1 % (Thomsen 2004).
+/// Area of the ellipsoid's surface, m2, within 1.1 % (Thomsen 2004).
 double surface_m2(const glm::dvec3& half_axes_m) {
   constexpr double power = 1.6075;
   const glm::dvec3 a = glm::pow(half_axes_m, glm::dvec3(power));
@@ -65,15 +65,21 @@ class SeenCloud {
     // Over all directions the mean shadow is a quarter of the surface (Cauchy 1841).
     const double depth = 4.0 * transport_m2_ / surface_m2_;
     mean_cover_ = 1.0 - std::exp(-depth);
-    thrown_back_ = 0.75 * depth / (1.0 + 0.75 * depth);
+    reflected_share_ = 0.75 * depth / (1.0 + 0.75 * depth);
   }
 
   const glm::dvec3& middle_m() const { return middle_m_; }
   double size_m() const { return std::max({half_axes_m_.x, half_axes_m_.y, half_axes_m_.z}); }
-  /// Where its surface faces a direction.
-  glm::dvec3 point_m(const glm::dvec3& direction) const {
-    const glm::dvec3 scaled = half_axes_m_ * direction;
-    return middle_m_ + half_axes_m_ * scaled / glm::length(scaled);
+  /// Of points on its surface that are even over its shadow along a direction, one on the side that faces it.
+  glm::dvec3 point_m(const glm::dvec3& direction, int number) const {
+    // In axes in which it is a unit sphere; numbers of R2 (Roberts 2018).
+    const glm::dvec3 toward = glm::normalize(direction / half_axes_m_);
+    const glm::dvec3 aside = glm::normalize(
+        glm::cross(toward, std::abs(toward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
+    const double square = glm::fract(0.5 + 0.7548776662 * number),
+                 angle = 2.0 * std::numbers::pi * glm::fract(0.5 + 0.5698402910 * number);
+    const glm::dvec3 across = std::cos(angle) * aside + std::sin(angle) * glm::cross(toward, aside);
+    return middle_m_ + half_axes_m_ * (std::sqrt(square) * across + std::sqrt(1.0 - square) * toward);
   }
 
   /// The share that it covers of what is behind, in the mean over its shadow.
@@ -98,13 +104,13 @@ class SeenCloud {
     glm::dvec3 sum(0.0);
     for (std::size_t sun = 0; sun < light_->suns.size(); ++sun) {
       const CloudLight& from = light_->suns[sun];
-      const double all_around =
+      const double diffuse =
           cover(from.direction) * shadow_m2(half_axes_m_, from.direction) / (surface_m2_ * mean_cover_);
-      const double there = std::max(0.0, glm::dot(outward, from.direction));
+      const double facing = std::max(0.0, glm::dot(outward, from.direction));
       sum += suns_through[sun] * from.illuminance_klx / std::numbers::pi *
-             glm::mix(all_around, there, thrown_back_);
+             glm::mix(diffuse, facing, reflected_share_);
     }
-    const double up = 0.5 + 0.5 * thrown_back_ * outward.y;
+    const double up = 0.5 + 0.5 * reflected_share_ * outward.y;
     return albedo_ * (sum + glm::mix(light_->ground_kcdpm2, light_->sky_kcdpm2, up));
   }
 
@@ -113,7 +119,7 @@ class SeenCloud {
   glm::dvec3 middle_m_, half_axes_m_, albedo_{1.0};
   double transport_m2_ = 0.0;  // its mass in the medium in which light turns back
   double surface_m2_ = 0.0, mean_cover_ = 0.0;
-  double thrown_back_ = 0.0;  // of light, by the side that it falls on: two streams
+  double reflected_share_ = 0.0;  // of light, by the side that it falls on: two streams
 };
 
 /// With how far away it is.
@@ -125,19 +131,18 @@ struct Sight {
   double through = 1.0;
 };
 
-double through_of(std::span<const NearCloud> clouds, const SeenCloud* but, const glm::dvec3& from_m,
-                  const glm::dvec3& way) {
-  double through = 1.0;
+/// The share of a sun's light that reaches a place of a cloud past the others.
+double sun_through(std::span<const NearCloud> clouds, const SeenCloud& own, const SeenCloud* of,
+                   const glm::dvec3& from_m, const glm::dvec3& way) {
+  double through = of != &own && own.distance_m(from_m, way) ? 1.0 - own.cover(way) : 1.0;
   for (const auto& [sizes, cloud] : clouds)
-    if (cloud != but && cloud->distance_m(from_m, way)) through *= 1.0 - cloud->cover(way);
+    if (cloud != of && cloud->distance_m(from_m, way)) through *= 1.0 - cloud->cover(way);
   return through;
 }
 
-/// What a cloud sees of others from where it faces that way. Within another one it is as bright there as it
-/// is itself.
+/// What a place of a cloud sees of others that way. Within another one it is as bright there as it is itself.
 Sight sight_of(std::span<const NearCloud> clouds, const SeenCloud& own, const CloudIllumination& light,
-               const glm::dvec3& way) {
-  const glm::dvec3 from_m = own.point_m(way);
+               const glm::dvec3& from_m, const glm::dvec3& way) {
   std::vector<NearCloud> met;
   for (const auto& [sizes, cloud] : clouds)
     if (const auto distance_m = cloud->distance_m(from_m, way)) met.emplace_back(*distance_m, cloud);
@@ -148,7 +153,7 @@ Sight sight_of(std::span<const NearCloud> clouds, const SeenCloud& own, const Cl
     const glm::dvec3 at_m = from_m + distance_m * way;
     const SeenCloud& shown = distance_m == 0.0 ? own : *cloud;
     for (std::size_t sun = 0; sun < suns_through.size(); ++sun)
-      suns_through[sun] = through_of(clouds, &shown, at_m, light.suns[sun].direction);
+      suns_through[sun] = sun_through(clouds, own, &shown, at_m, light.suns[sun].direction);
     const double cover = cloud->cover(way);
     sight.light_kcdpm2 += sight.through * cover * shown.light_kcdpm2(at_m, suns_through);
     sight.through *= 1.0 - cover;
@@ -185,11 +190,11 @@ std::vector<CloudIllumination> with_light_of_others(std::span<const CloudIllumin
     return std::min({extent.half_axes_m.x, extent.half_axes_m.y, extent.half_axes_m.z}) > 0.0;
   };
   std::vector<SeenCloud> clouds;  // those that are
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> cloud_indices;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!has_any(extents[i])) continue;
     clouds.emplace_back(lights[i], extents[i], looks[i]);
-    numbers.push_back(i);
+    cloud_indices.push_back(i);
   }
   static const std::array<glm::dvec3, golden_count> ways = golden_directions();
   for (std::size_t i = 0; i < clouds.size(); ++i) {
@@ -201,9 +206,11 @@ std::vector<CloudIllumination> with_light_of_others(std::span<const CloudIllumin
     std::sort(near.begin(), near.end());
     near.resize(std::min(near.size(), most_near));
     if (near.empty()) continue;
-    CloudIllumination& light = all[numbers[i]];
-    for (const glm::dvec3& way : ways) {
-      const Sight sight = sight_of(near, clouds[i], lights[numbers[i]], way);
+    CloudIllumination& light = all[cloud_indices[i]];
+    for (int number = 0; number < golden_count; ++number) {
+      const glm::dvec3& way = ways[static_cast<std::size_t>(number)];
+      const Sight sight =
+          sight_of(near, clouds[i], lights[cloud_indices[i]], clouds[i].point_m(way, number), way);
       const bool is_up = way.y > 0.0;
       (is_up ? light.clouds_above_kcdpm2 : light.clouds_below_kcdpm2) +=
           (sight.light_kcdpm2 - (1.0 - sight.through) * (is_up ? light.sky_kcdpm2 : light.ground_kcdpm2)) /

@@ -28,7 +28,7 @@ struct CellCounts {
   int of_heap, of_flat;
 };
 CellCounts wanted_cells(LightCells cells, std::size_t clouds) {
-  constexpr int of_heap = 4096, of_flat = 16384;
+  constexpr int of_heap = 4096, of_flat = static_cast<int>(light_grid_cells(LightCells::of_billboards));
   if (cells == LightCells::of_billboards) return {of_heap, of_flat};
   // Of all clouds together, as long as they are few.
   constexpr std::size_t most = 65536;

@@ -82,8 +82,8 @@ class ParticleLight {
     relight(particles, count, std::span(&light, 1), looks, model, albedo);
   }
 
-  /// The same in steps: nothing is queued before the first relight_further(), each of which queues one more,
-  /// and says whether any is left. Until then only relight() may follow.
+  /// The same in steps: each relight_further() queues one and returns whether any is left. Call nothing but
+  /// that, relight() or start_relight() until none is.
   void start_relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
                      std::span<const CloudIllumination> lights, std::span<const CloudLook> looks,
                      LightModel model, ParticleAlbedo albedo);

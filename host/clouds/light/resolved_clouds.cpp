@@ -20,7 +20,7 @@ constexpr double billboards_px = 1.5, marched_px = 2.5;
 constexpr std::size_t most_volumes = 16;
 
 // Between the particles and the sides of a volume: half a cell, and what balls of the least radius stand out.
-constexpr double margin_cells = 1.75;
+constexpr double margin_cells = 0.5 + CLOUD_MARCH_LEAST_RADIUS;
 
 // Edge of a texel of noise, in mean radii of particles.
 constexpr float lump_radii = 0.06f;

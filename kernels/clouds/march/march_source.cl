@@ -1,7 +1,7 @@
 // What scatters toward the eye in each cell of the light's grid of clouds that are marched: light that was scattered
 // before, and that of sky and ground.
 // In:  volumes [get_global_size(1)], grids, looks, absorption; glow and drift of light_glow.cl; the eye.
-// Out: sources [slots][CELLS][SOURCE_VECTORS]: kcd/m^2 per depth of what scatters; of three channels also their albedo.
+// Out: sources [slots][grid.room][SOURCE_VECTORS]: kcd/m^2 per depth of what scatters; of three channels also their albedo.
 #include "clouds/march/march_source.clh"
 
 __kernel void march_source(__global const CloudMarchVolume *restrict volumes, __global const CloudGrid *restrict grids,

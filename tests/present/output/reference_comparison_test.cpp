@@ -161,6 +161,11 @@ struct Part {
   }
 };
 
+/// A stratus fills no blocks.
+bool genus_is_thin(const PictureCase& of) {
+  return of.genus == std::string("stratus");
+}
+
 class CloudPictureTest : public ReferenceComparisonTest, public testing::WithParamInterface<PictureCase> {};
 
 /// Seen whole.
@@ -236,7 +241,10 @@ TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
   std::sort(full.rbegin(), full.rend());
   for (std::size_t i = 0; i < full.size() / 4; ++i) lit.add(full[i].second, full[i].first);
   for (const auto& [name, part] : {std::pair("underside", underside), {"lit", lit}, {"rim", rim}}) {
-    if (part.right == 0.0) continue;
+    if (part.right == 0.0) {
+      EXPECT_TRUE(name != std::string("rim") && genus_is_thin(of)) << name << ": none";
+      continue;
+    }
     EXPECT_NEAR(part.ours / part.right, 1.0, of.parts_limit) << name;
     RecordProperty(name, std::to_string(part.ours / part.right));
   }
