@@ -14,7 +14,7 @@ namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi, quarter_rad = 0.5 * std::numbers::pi;
 // Of angles that were given in degrees.
-constexpr double rounding_rad = 1e-12;
+constexpr double rounding_rad = 1e-12, half_turn_rounding_rad = 1e-9;
 
 /// In plan: east, south.
 glm::dvec2 direction_of(double azimuth_rad) {
@@ -32,10 +32,11 @@ class Sector {
   explicit Sector(const SightLimits& limits)
       : from_(direction_of(limits.azimuth_from_rad)), to_(direction_of(limits.azimuth_to_rad)) {
     const double width_rad = limits.azimuth_to_rad - limits.azimuth_from_rad;
-    is_whole_ = std::abs(width_rad) >= turn_rad - rounding_rad;
+    is_whole_ = std::abs(std::abs(width_rad) - turn_rad) <= rounding_rad;
     double turned_rad = std::fmod(width_rad, turn_rad);
     if (turned_rad < 0.0) turned_rad += turn_rad;
-    is_wide_ = turned_rad > std::numbers::pi;
+    // Of half a turn both ends are in one line, whose middle is known to rounding only.
+    is_wide_ = turned_rad > std::numbers::pi - half_turn_rounding_rad;
   }
   bool is_whole() const { return is_whole_; }
   bool has(const glm::dvec2& way) const {

@@ -11,8 +11,8 @@ namespace offing::terrain {
 
 /// Where an observer looks, beside what hides what is there: within these angles, both ends included.
 struct SightLimits {
-  /// Clockwise from north, of the line in plan; from one to the other, so that 350 to 10 degrees are 20. The
-  /// whole turn is 0 to 2 pi.
+  /// Clockwise from north, of the line in plan; from one to the other, so that 350 to 10 degrees are 20, and
+  /// 300 to -90 are 330. Two that are 2 pi apart are the whole turn.
   double azimuth_from_rad = 0.0, azimuth_to_rad = 2.0 * std::numbers::pi;
   /// Of the line from the eye to the target, up from level.
   double lowest_rad = -0.5 * std::numbers::pi, highest_rad = 0.5 * std::numbers::pi;

@@ -145,8 +145,19 @@ TEST(SightLimits, AreAnglesFromTheEye) {
                                       .radius_m = 181.3,
                                       .curve = {earth_radius_m, 0.13}};
   const double eye_m = 20 % 3 + 5.0;
-  for (const auto& [from_deg, to_deg] : std::vector<std::pair<double, double>>{
-           {0, 360}, {10, 80}, {80, 10}, {350, 10}, {-10, 10}, {100, 280.5}, {100, 279.5}, {200, 200.4}}) {
+  for (const auto& [from_deg, to_deg] : std::vector<std::pair<double, double>>{{0, 360},
+                                                                               {-180, 180},
+                                                                               {10, 80},
+                                                                               {80, 10},
+                                                                               {350, 10},
+                                                                               {-10, 10},
+                                                                               {100, 280.5},
+                                                                               {100, 280},
+                                                                               {75, 255},
+                                                                               {30, 210},
+                                                                               {100, 279.5},
+                                                                               {300, -90},
+                                                                               {200, 200.4}}) {
     for (const auto& [lowest_deg, highest_deg] :
          std::vector<std::pair<double, double>>{{-90, 90}, {-3, 90}, {-90, 1}, {-2, 12}}) {
       const SightLimits limits{from_deg * degree_rad, to_deg * degree_rad, lowest_deg * degree_rad,
@@ -160,7 +171,7 @@ TEST(SightLimits, AreAnglesFromTheEye) {
           const std::size_t post = static_cast<std::size_t>(row * 41 + column);
           const double azimuth_deg = std::atan2(east_m, -south_m) / degree_rad;
           const double turned_deg = std::fmod(azimuth_deg - from_deg + 720.0, 360.0);
-          const double width_deg = std::fmod(to_deg - from_deg + 360.0, 360.0);
+          const double width_deg = std::fmod(to_deg - from_deg + 720.0, 360.0);
           const double rise_m = static_cast<double>(heights_m[post]) + 2.0 - eye_m -
                                 parameters.curve.bend_perm() * plan_m * plan_m;
           const double up_deg = std::atan2(rise_m, plan_m) / degree_rad;
