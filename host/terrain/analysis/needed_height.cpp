@@ -20,6 +20,7 @@ class HorizonWalk {
         z_(parameters.observer_z_m / map.spacing_z_m),
         eye_m_(terrain_at(map, parameters.observer_x_m, parameters.observer_z_m)->height_m +
                parameters.observer_height_m),
+        is_on_ground_(parameters.observer_height_m == 0.0),
         bend_perm_(parameters.curve.bend_perm()),
         radius_m_(parameters.radius_m) {}
 
@@ -73,11 +74,14 @@ class HorizonWalk {
     const double u = x_ - column, v = z_ - row;
     const double a = twist_m * dx * dz - fall_m;
     const double b = east_m * dx + south_m * dz + twist_m * (u * dz + v * dx);
-    const double below_m = corner_m + east_m * u + south_m * v + twist_m * u * v - eye_m_;
+    // An eye on the ground has none below it, whatever rounding says.
+    const double below_m =
+        from == 0.0 && is_on_ground_ ? 0.0 : corner_m + east_m * u + south_m * v + twist_m * u * v - eye_m_;
     const auto slope_at = [&](double t) { return a * t + b + below_m / t; };
     double steepest_m = slope_at(to);
-    // At the eye itself there is ground only where the eye lies on it.
+    // At the eye itself there is ground only where the eye lies on it: lines rise like it there.
     if (from > 0.0) steepest_m = std::max(steepest_m, slope_at(from));
+    if (from == 0.0 && is_on_ground_) steepest_m = std::max(steepest_m, b);
     if (below_m < 0.0 && a < 0.0) {
       const double top = std::sqrt(below_m / a);
       if (top > from && top < to) steepest_m = std::max(steepest_m, slope_at(top));
@@ -86,7 +90,9 @@ class HorizonWalk {
   }
 
   const HeightMap& map_;
-  double x_, z_, eye_m_, bend_perm_, radius_m_;
+  double x_, z_, eye_m_;
+  bool is_on_ground_;
+  double bend_perm_, radius_m_;
 };
 
 }  // namespace

@@ -40,10 +40,10 @@ TEST(NeededHeight, IsWhereTargetsBeginToBeSeen) {
   const CancelToken cancel;
   std::mt19937 random(4);
   std::uniform_real_distribution<double> x(0.0, 2880.0), z(0.0, 1400.0);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 12; ++i) {
     ViewshedParameters parameters{.observer_x_m = i == 0 ? 900.0 : x(random),
                                   .observer_z_m = i == 0 ? 400.0 : z(random),
-                                  .observer_height_m = 1.7,
+                                  .observer_height_m = i < 6 ? 1.7 : 0.0,
                                   .curve = {i % 2 == 0 ? 30000.0 : EarthCurve{}.radius_m, 0.0}};
     const std::vector<float> needed_m = needed_heights(map, parameters, cancel);
     for (const double target_m : {0.0, 2.0, 25.0}) {
