@@ -1,5 +1,6 @@
 #include "host/terrain/analysis/viewshed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -108,6 +109,68 @@ TEST(ViewshedTest, WallsCastShadows) {
   const std::vector<std::uint8_t> terrain = seen_from(wall(), parameters);
   EXPECT_EQ(terrain[40 * 101 + 40], visible);
   EXPECT_EQ(terrain[40 * 101 + 41], hidden);
+}
+
+/// 301 x 301 posts of low hills, with walls of 50 m around the middle at a distance in posts, or none for 0.
+test::HeightMap walled(int distance) {
+  test::HeightMap map{"walled", {.columns = 301, .rows = 301, .spacing_x_m = 2.0, .spacing_z_m = 2.0}, {}};
+  for (int row = 0; row < 301; ++row) {
+    for (int column = 0; column < 301; ++column) {
+      const int from_middle = std::max(std::abs(column - 150), std::abs(row - 150));
+      map.heights_m.push_back(static_cast<float>(
+          distance > 0 && from_middle == distance ? 50.0 : std::sin(0.3 * column) + std::cos(0.2 * row)));
+    }
+  }
+  return map;
+}
+
+/// A pit of 40 m around the middle of low hills.
+test::HeightMap pit() {
+  test::HeightMap map = walled(0);
+  for (int row = 145; row <= 155; ++row) {
+    for (int column = 145; column <= 155; ++column)
+      map.heights_m[static_cast<std::size_t>(row * 301 + column)] -= 40.0f;
+  }
+  return map;
+}
+
+// Sweeps stop where the horizon is above all targets: in all octants in a pit and 2 m from a wall, for an eye
+// above the ground where nothing hides it never. Fails if a post is not as a walk in double precision has it.
+TEST(ViewshedTest, StopsOnlyWhereAllIsHidden) {
+  struct Case {
+    test::HeightMap map;
+    double eye_m, target_m, radius_m;
+    bool is_closed;  // almost all is hidden
+  };
+  constexpr double no_radius = std::numeric_limits<double>::infinity();
+  for (const Case& at :
+       {Case{pit(), 1.7, 0.0, no_radius, true}, Case{pit(), 1.7, 5.0, 250.0, true},
+        Case{walled(1), 1.7, 0.0, no_radius, true}, Case{walled(1), 1.7, 0.0, 150.0, true},
+        Case{walled(1), 60.0, 0.0, no_radius, false}, Case{walled(12), 30.0, 3.0, no_radius, true},
+        Case{walled(0), 100.0, 0.0, no_radius, false}, Case{walled(0), 100.0, 0.0, 200.0, false}}) {
+    for (const double off : {0.0, 0.37}) {
+      const ViewshedParameters parameters{.observer_x_m = 300.0 + off,
+                                          .observer_z_m = 300.0 - off,
+                                          .observer_height_m = at.eye_m,
+                                          .target_height_m = at.target_m,
+                                          .radius_m = at.radius_m};
+      const std::vector<std::uint8_t> seen = seen_from(at.map, parameters);
+      int wrong = 0, open = 0;
+      for (int row = 0; row < 301; ++row) {
+        for (int column = row % 3; column < 301; column += 3) {
+          const bool is_seen = seen[static_cast<std::size_t>(row * 301 + column)] == visible;
+          open += is_seen ? 1 : 0;
+          const double plan_m =
+              std::hypot(2.0 * column - parameters.observer_x_m, 2.0 * row - parameters.observer_z_m);
+          const double clearance_m = test::reference_clearance_m(at.map, parameters, column, row);
+          const bool expected = plan_m <= at.radius_m && clearance_m >= -1e-6;
+          if (is_seen != expected && std::abs(clearance_m) > 1e-4) ++wrong;
+        }
+      }
+      EXPECT_EQ(wrong, 0) << at.eye_m << ' ' << at.radius_m << ' ' << off;
+      EXPECT_EQ(open < 700, at.is_closed) << open << " at " << at.eye_m << ' ' << at.radius_m;
+    }
+  }
 }
 
 // Beyond the wall only what is within the radius counts: a post at exactly that distance does.
