@@ -445,6 +445,7 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
   const HeightMap& map = seen_map.map;
   const bool keeps_each = settings.best > 0 || !arguments.shares.empty();
   terrain::SightCounts counts(map.heights_m.size(), keeps_each);
+  if (keeps_each) terrain::require_room(map.heights_m.size(), observers.all.size());
   Looking looking(seen_map, device);
   Progress progress(static_cast<int>(observers.all.size()), "viewsheds", options.verbosity);
   NeededRaster needed(map);
@@ -456,7 +457,7 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
   }
   terrain::BestObservers best;
   if (settings.best > 0)
-    best = terrain::best_observers(counts.each(), static_cast<std::size_t>(settings.best));
+    best = terrain::best_observers(counts.each(), static_cast<std::size_t>(settings.best), options.cancel);
   options.cancel.throw_if_cancelled();
   if (!arguments.needed.empty()) needed.write(arguments.needed, arguments.existing);
   if (!arguments.shares.empty()) write_shares(arguments, map, frame, observers, counts, best);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <queue>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,7 +17,9 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 constexpr std::size_t bits_a_word = 64;
-constexpr double most_choices = 5000.0;
+// Each choice that a search begins keeps the bits of what it sees.
+constexpr double most_choices = 5000.0, most_begun = 50'000.0;
+constexpr double most_bytes = 8.0 * (1 << 30);
 
 /// Posts of `seen` that `known` does not have.
 std::size_t added_by(const Bits& known, const Bits& seen) {
@@ -30,25 +33,35 @@ void join(Bits& known, const Bits& seen) {
   for (std::size_t i = 0; i < known.size(); ++i) known[i] |= seen[i];
 }
 
-/// The next best of `among` after those before it.
-BestObservers greedy(std::span<const Bits> each, std::vector<std::size_t> among, std::size_t count) {
-  BestObservers best;
+/// The next best of `among` after those before it. What an observer adds never grows, so that those whose
+/// last sum is less than the best new one are not counted again (Minoux 1978).
+BestObservers greedy(std::span<const Bits> each, const std::vector<std::size_t>& among, std::size_t count,
+                     const CancelToken& cancel) {
+  struct Bound {
+    std::size_t added, observer;
+    // The largest is on top, and of equal ones the first observer.
+    bool operator<(const Bound& other) const {
+      return added != other.added ? added < other.added : observer > other.observer;
+    }
+  };
   Bits known(each.front().size(), 0);
+  std::priority_queue<Bound> bounds;
+  for (const std::size_t observer : among) bounds.push({added_by(known, each[observer]), observer});
+  BestObservers best;
   std::size_t seen_posts = 0;
   while (best.observers.size() < count) {
-    std::size_t most = 0, choice = 0;
-    for (std::size_t i = 0; i < among.size(); ++i) {
-      const std::size_t added = added_by(known, each[among[i]]);
-      if (i == 0 || added > most) {
-        most = added;
-        choice = i;
-      }
+    cancel.throw_if_cancelled();
+    const std::size_t observer = bounds.top().observer;
+    bounds.pop();
+    const Bound now{added_by(known, each[observer]), observer};
+    if (!bounds.empty() && now < bounds.top()) {
+      bounds.push(now);
+      continue;
     }
-    join(known, each[among[choice]]);
-    seen_posts += most;
-    best.observers.push_back(among[choice]);
+    join(known, each[observer]);
+    seen_posts += now.added;
+    best.observers.push_back(observer);
     best.seen_posts.push_back(seen_posts);
-    among.erase(among.begin() + static_cast<std::ptrdiff_t>(choice));
   }
   return best;
 }
@@ -57,10 +70,12 @@ BestObservers greedy(std::span<const Bits> each, std::vector<std::size_t> among,
 struct Search {
   std::span<const Bits> each;
   std::size_t count = 0;
+  const CancelToken& cancel;
   std::vector<std::size_t> chosen{}, best{};
   std::size_t most = 0;
 
   void go_on(std::size_t first, const Bits& known, std::size_t seen_posts) {
+    cancel.throw_if_cancelled();
     if (chosen.size() == count) {
       if (best.empty() || seen_posts > most) {
         best = chosen;
@@ -81,7 +96,7 @@ struct Search {
 
 double choices_of(std::size_t all, std::size_t count) {
   double choices = 1.0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < std::min(count, all - count); ++i)
     choices *= static_cast<double>(all - i) / static_cast<double>(i + 1);
   return choices;
 }
@@ -133,18 +148,32 @@ std::vector<std::size_t> SightCounts::only_posts() const {
   return posts;
 }
 
-BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count) {
+void require_room(std::size_t posts, std::size_t observers) {
+  const double bytes = static_cast<double>(posts) / 8.0 * static_cast<double>(observers);
+  if (bytes <= most_bytes) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("viewshed: expected at most {:.0f} GiB for what each observer sees, found {:.1f} GiB "
+                  "for {} observers of {} posts",
+                  most_bytes / (1 << 30), bytes / (1 << 30), observers, posts),
+      "leave --best and --shares out, or give fewer observers or a smaller map");
+}
+
+BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count,
+                             const CancelToken& cancel) {
   count = std::min(count, each.size());
   if (count == 0) return {};
   std::vector<std::size_t> all(each.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const bool is_exhaustive = choices_of(each.size(), count) <= most_choices;
-  if (is_exhaustive) {
-    Search search{each, count};
+  // Those that choices begin with are as many as the choices of one more observer.
+  const bool is_exhaustive = choices_of(each.size(), count) <= most_choices &&
+                             (count == each.size() || choices_of(each.size() + 1, count) <= most_begun);
+  if (is_exhaustive && count < each.size()) {
+    Search search{each, count, cancel};
     search.go_on(0, Bits(each.front().size(), 0), 0);
     all = search.best;
   }
-  BestObservers best = greedy(each, all, count);
+  BestObservers best = greedy(each, all, count, cancel);
   best.is_exhaustive = is_exhaustive;
   return best;
 }

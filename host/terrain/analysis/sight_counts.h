@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "host/base/work.h"
+
 namespace offing::terrain {
 
 /// The most observers that are counted.
@@ -51,9 +53,14 @@ struct BestObservers {
   bool is_exhaustive = false;  ///< all choices were compared; otherwise each choice was the next best
 };
 
-/// The best `count` of observers, of all choices where there are at most 5000. Otherwise greedy: each adds
+/// Throws Error(bad_input) where the bits of so many viewsheds are more than 8 GiB.
+void require_room(std::size_t posts, std::size_t observers);
+
+/// The best `count` of observers, of all choices where there are at most 5000 that are quickly searched: all
+/// but one of more than 300 are not. Otherwise greedy: each adds
 /// the most to what those before it see, which is at least 63 % of what the best choice sees (Nemhauser,
 /// Wolsey and Fisher 1978). Equal ones are taken in their order. `each` are bits of posts, all of one size.
-BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count);
+BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count,
+                             const CancelToken& cancel);
 
 }  // namespace offing::terrain

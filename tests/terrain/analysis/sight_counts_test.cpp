@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -96,7 +97,7 @@ TEST(SightCounts, BestObserversAreThoseOfAllChoices) {
         }
         if (chosen.size() == count) most = std::max(most, seen_by(viewsheds, chosen));
       }
-      const BestObservers best = best_observers(counts.each(), count);
+      const BestObservers best = best_observers(counts.each(), count, CancelToken());
       EXPECT_TRUE(best.is_exhaustive);
       ASSERT_EQ(best.observers.size(), count);
       EXPECT_EQ(best.seen_posts.back(), most) << seed << ' ' << count;
@@ -112,7 +113,7 @@ TEST(SightCounts, BestObserversAreThoseOfAllChoices) {
 // Of 60 there are 34,220 choices of three. Fails if one of them does not add the most to those before it.
 TEST(SightCounts, OfManyObserversEachAddsTheMost) {
   const auto viewsheds = random_viewsheds(60, 11, 0.1);
-  const BestObservers best = best_observers(counts_of(viewsheds).each(), 3);
+  const BestObservers best = best_observers(counts_of(viewsheds).each(), 3, CancelToken());
   EXPECT_FALSE(best.is_exhaustive);
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,7 +127,30 @@ TEST(SightCounts, OfManyObserversEachAddsTheMost) {
     EXPECT_EQ(best.seen_posts[i], most);
     EXPECT_EQ(seen_by(viewsheds, chosen), most);
   }
-  EXPECT_EQ(best_observers(counts_of(viewsheds).each(), 100).observers.size(), 60u);
+  EXPECT_EQ(best_observers(counts_of(viewsheds).each(), 100, CancelToken()).observers.size(), 60u);
+}
+
+// Fails if all observers, or all but one, of very many are searched: that takes a call for each of them.
+TEST(SightCounts, AllOfVeryManyObserversAreOneChoice) {
+  constexpr std::size_t count = 40'000;
+  std::vector<std::vector<std::uint64_t>> each(count, std::vector<std::uint64_t>(64));
+  for (std::size_t i = 0; i < count; ++i) each[i][i % 64] = i;
+  const BestObservers all = best_observers(each, count + 5, CancelToken());
+  EXPECT_TRUE(all.is_exhaustive);
+  EXPECT_EQ(std::set<std::size_t>(all.observers.begin(), all.observers.end()).size(), count);
+  EXPECT_TRUE(std::ranges::is_sorted(all.seen_posts));
+  const BestObservers most = best_observers(std::span(each).first(5000), 4999, CancelToken());
+  EXPECT_FALSE(most.is_exhaustive);
+  EXPECT_EQ(most.observers.size(), 4999u);
+  CancelToken cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(best_observers(each, 3, cancelled), Error);
+}
+
+// Fails if a hundred gigabytes are asked for before anything is said.
+TEST(SightCounts, OfTooManyPostsAreRefused) {
+  EXPECT_NO_THROW(require_room(1025 * 1025, 65'000));
+  EXPECT_THROW(require_room(std::size_t{3601} * 3601, 65'000), Error);
 }
 
 /// Marks posts outside on flat ground with a hill, by angles in plain trigonometry.
