@@ -21,10 +21,21 @@ constexpr std::array<const char*, 26> plain{
     "GSBG",  "GS7BG",   "SAGA",    "RST",     "Terragen",       "HF2",  "netCDF", nullptr};
 
 bool is_used(std::string_view driver) {
-  return driver == "MEM" || driver == "VRT" || driver == "GPKG" || driver == "GeoJSON" ||
+  return driver == "MEM" || driver == "VRT" ||
          std::find_if(plain.begin(), plain.end() - 1, [&](const char* name) { return driver == name; }) !=
              plain.end() - 1;
 }
+
+bool has_features(std::string_view driver) {
+  return driver == "GPKG" || driver == "GeoJSON";
+}
+
+/// The drivers of features, and who uses them now.
+struct {
+  std::mutex mutex;
+  std::vector<GDALDriverH> drivers;
+  int users = 0;
+} features;
 
 /// Files that lead to others (masks, overviews, sources of a VRT) have GDAL open them as any driver it knows.
 void register_used_drivers() {
@@ -33,8 +44,12 @@ void register_used_drivers() {
   GDALAllRegister();
   for (int i = GDALGetDriverCount() - 1; i >= 0; --i) {
     const GDALDriverH driver = GDALGetDriver(i);
-    if (!is_used(GDALGetDriverShortName(driver)) && std::ranges::find(others, driver) == others.end()) {
-      GDALDeregisterDriver(driver);
+    const std::string_view name = GDALGetDriverShortName(driver);
+    if (is_used(name) || std::ranges::find(others, driver) != others.end()) continue;
+    GDALDeregisterDriver(driver);
+    if (has_features(name)) {
+      features.drivers.push_back(driver);
+    } else {
       GDALDestroyDriver(driver);
     }
   }
@@ -86,6 +101,18 @@ GdalSession::GdalSession() {
 
 GdalSession::~GdalSession() {
   CPLPopErrorHandler();
+}
+
+FeatureDrivers::FeatureDrivers() {
+  const std::lock_guard lock(features.mutex);
+  if (features.users++ > 0) return;
+  for (const GDALDriverH driver : features.drivers) GDALRegisterDriver(driver);
+}
+
+FeatureDrivers::~FeatureDrivers() {
+  const std::lock_guard lock(features.mutex);
+  if (--features.users > 0) return;
+  for (const GDALDriverH driver : features.drivers) GDALDeregisterDriver(driver);
 }
 
 void CPL_STDCALL GdalSession::note(CPLErr severity, CPLErrorNum /*number*/, const char* message) {

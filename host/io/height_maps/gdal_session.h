@@ -14,8 +14,8 @@ namespace offing::height_maps {
 const char* const* plain_formats();
 
 /// Collects what GDAL complains about while it lives, instead of letting it print. GDAL then knows the plain
-/// formats, its memory and VRT, and GeoPackage and GeoJSON: the others are taken from it, but for those that
-/// the program around Offing had registered before.
+/// formats, its memory and VRT: the others are taken from it, but for those that the program around Offing
+/// had registered before.
 class GdalSession {
  public:
   GdalSession();
@@ -31,6 +31,16 @@ class GdalSession {
   static void CPL_STDCALL note(CPLErr severity, CPLErrorNum number, const char* message);
 
   std::string first_failure_;
+};
+
+/// While it lives, GDAL knows GeoPackage and GeoJSON too. Otherwise it does not: the mask or the overviews
+/// beside a stranger's raster could be a database. Needs a GdalSession.
+class FeatureDrivers {
+ public:
+  FeatureDrivers();
+  FeatureDrivers(const FeatureDrivers&) = delete;
+  FeatureDrivers& operator=(const FeatureDrivers&) = delete;
+  ~FeatureDrivers();
 };
 
 /// How a Dataset ends.

@@ -202,6 +202,9 @@ class GeoPackageWriter : public FeatureWriter {
   NewFeatures features_;
   AtomicFile file_;
   GdalSession session_;
+  height_maps::FeatureDrivers drivers_;
+  // The time of the last change, so that equal features are equal files.
+  CPLConfigOptionSetter date_{"OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z", true};
   std::string memory_;
   Dataset dataset_;
   OGRLayerH layer_ = nullptr;
@@ -212,6 +215,7 @@ class GeoPackageWriter : public FeatureWriter {
 FeatureTable read_features(const std::filesystem::path& path, FeatureShape shape, const std::string& layer) {
   height_maps::require_readable_file(path, "a GeoPackage or a GeoJSON");
   const GdalSession session;
+  const height_maps::FeatureDrivers drivers;
   const NoFetching no_fetching;
   constexpr std::array<const char*, 3> formats{"GPKG", "GeoJSON", nullptr};
   // No part of an absolute path is taken for an address or for content.

@@ -15,6 +15,7 @@
 
 #include "host/base/error.h"
 #include "host/io/height_maps/files_of_raster.h"
+#include "host/io/height_maps/map_features.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "tests/io/height_maps/raster_writer.h"
@@ -253,6 +254,30 @@ TEST_F(HostileRaster, UntrustedOnesStayInTheirFolder) {
   EXPECT_THAT(outcome(path("own/hdf5.nc"), {.is_named_by_scene = true}), HasSubstr("HDF5"));
   write("own/block.nc", std::string(2048, ' ') + "\x89HDF\r\n\x1a\n");
   EXPECT_THAT(outcome(path("own/block.nc"), untrusted), HasSubstr("HDF5"));
+}
+
+// Overviews beside a raster are opened by any driver that is registered. Fails if those of features are once
+// features were written and read: SQLite would then read what strangers wrote.
+TEST(FeatureDrivers, AreNotThereForRasters) {
+  if (GDALGetDriverByName("GPKG") != nullptr) GTEST_SKIP() << "another test has registered all: run it alone";
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return folder.path() / name; };
+  {
+    const auto writer = create_features(
+        path("points.gpkg"),
+        {.shape = FeatureShape::points, .layer = "points", .coordinate_system = "EPSG:32719", .columns = {}});
+    writer->add(std::vector{glm::dvec3(1.0, 2.0, 0.0)}, {});
+    writer->commit();
+  }
+  EXPECT_EQ(read_features(path("points.gpkg"), FeatureShape::points, "").count(), 1u);
+  std::ofstream(path("map.asc")) << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n";
+  fs::copy_file(path("points.gpkg"), path("map.asc.ovr"));
+  try {
+    read_height_map(path("map.asc"), {});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+  }
+  for (const char* name : {"GPKG", "GeoJSON"}) EXPECT_EQ(GDALGetDriverByName(name), nullptr) << name;
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 #include "host/io/height_maps/map_features.h"
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gdal.h>
@@ -114,6 +117,23 @@ TEST_F(MapFeatures, HavePlacesAndAttributes) {
                                              "well 2", std::int64_t{2}, 2.5};
   EXPECT_EQ(table.values, expected);
   EXPECT_THAT(table.place_of(1), HasSubstr("a.gpkg: wells: feature 2"));
+}
+
+// Fails if a file says when it was written: equal features are equal bytes.
+TEST_F(MapFeatures, AreWrittenAlike) {
+  const auto bytes_of = [&](const char* name) {
+    const auto writer = create_features(
+        path(name),
+        {.layer = "points", .coordinate_system = "EPSG:32719", .columns = {{"name", AttributeKind::text}}});
+    writer->add(std::vector{glm::dvec3(1.0, 2.0, 0.0)}, std::vector<AttributeValue>{"a"});
+    writer->commit();
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string first = bytes_of("first.gpkg");
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(first == bytes_of("second.gpkg"));
+  EXPECT_THAT(first, HasSubstr("1970-01-01T00:00:00.000Z"));
 }
 
 // Fails if the latitude of degrees comes first, heights are lost, or a line has other ends.
