@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t longest_line = 4095;
 constexpr std::size_t shown_characters = 60;
+constexpr std::size_t no_field = std::numeric_limits<std::size_t>::max();
 
 std::string_view trimmed(std::string_view text) {
   constexpr const char* blanks = " \t\r";
@@ -118,9 +119,11 @@ bool NumberTable::read_header(std::string_view line) {
   }
   fields_ = found;
   optional_fields_.clear();
-  for (const std::string& name : columns_.optional)
-    optional_fields_.push_back(
-        static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin()));
+  for (const std::string& name : columns_.optional) {
+    const auto field = std::find(fields.begin(), fields.end(), name);
+    optional_fields_.push_back(field == fields.end() ? no_field
+                                                     : static_cast<std::size_t>(field - fields.begin()));
+  }
   has_header_ = true;
   return true;
 }
@@ -135,8 +138,14 @@ void NumberTable::read_row(std::string_view line, std::vector<double>& numbers) 
   }
   for (std::size_t i = 0; is_row && i < columns_.optional.size(); ++i) {
     numbers.push_back(std::numeric_limits<double>::quiet_NaN());
-    if (!has_header_ || optional_fields_[i] >= fields.size() || fields[optional_fields_[i]].empty()) continue;
-    is_row = read_number(fields[optional_fields_[i]], columns_.farthest, numbers.back());
+    const std::size_t field = has_header_ ? optional_fields_[i] : no_field;
+    if (field >= fields.size() || fields[field].empty()) continue;
+    if (read_number(fields[field], columns_.farthest, numbers.back())) continue;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}:{}: {}: expected a number within [{:g}, {:g}], found \"{}\"", path_.string(),
+                            line_number_, columns_.optional[i], -columns_.farthest, columns_.farthest,
+                            fields[field].substr(0, shown_characters)),
+                "write a number, or leave the field empty for the value of the flag");
   }
   if (is_row) return;
   throw Error(
@@ -177,6 +186,7 @@ void NumberTable::rewind() {
   line_number_ = 0;
   rows_ = 0;
   has_header_ = false;
+  optional_fields_.clear();
   fields_ = in_order(columns_.names.size());
 }
 

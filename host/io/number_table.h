@@ -53,7 +53,7 @@ class NumberTable {
   std::size_t rows_ = 0;                      // read so far
   std::vector<std::size_t> lines_;            // of the last block
   std::vector<std::size_t> fields_;           // of the columns
-  std::vector<std::size_t> optional_fields_;  // of the optional ones that the header names
+  std::vector<std::size_t> optional_fields_;  // of each optional one, or none
   bool has_header_ = false;
 };
 

@@ -170,6 +170,20 @@ TEST_F(TerrainViewshed, CountsManyObservers) {
   EXPECT_THAT(line, ::testing::StartsWith("50,20," + std::to_string(seen_posts[0]) + ","));
 }
 
+// Fails if a field beyond those that the header names counts as columns that it does not name.
+TEST_F(TerrainViewshed, LeavesSurplusFieldsAlone) {
+  const auto counts_of = [&](const char* points) {
+    std::ofstream(path("points.csv")) << points;
+    const ProgramResult result = look({"--points", path("points.csv"), "--force"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return posts_in(path("seen.tif"));
+  };
+  const std::vector<float> plain = counts_of("x_m,z_m\n50,20\n"), more = counts_of("x_m,z_m\n50,20,35\n");
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_EQ(std::isnan(plain[i]) ? -1.0f : plain[i], std::isnan(more[i]) ? -1.0f : more[i]) << i;
+  }
+}
+
 // The wall is 20 m high and 70 m from an eye 1.7 m up: 80 m behind it a target must be 1.7 + 150 / 70 18.3 m
 // high. Fails if the raster lies elsewhere, several observers do not give the least, or voids are no nodata.
 TEST_F(TerrainViewshed, WritesTheHeightsThatAreNeeded) {
@@ -229,7 +243,8 @@ TEST_F(TerrainViewshed, RefusesObserversWithAHint) {
   refuse("50,20\n500,20\n", {}, "points.csv:2: expected a place within");
   refuse("x_m,z_m,observer_height_m\n50,20,-3\n", {}, "points.csv:2: viewshed: observer_height_m: expected");
   refuse("x_m,z_m,lowest_deg\n50,20,95\n", {}, "points.csv:2: viewshed: lowest: expected -90 ... 90 degrees");
-  refuse("x_m,z_m,radius_m\n50,20,far\n", {}, "points.csv:2: expected x_m,z_m");
+  refuse("x_m,z_m,radius_m\n50,20,far\n", {},
+         "points.csv:2: radius_m: expected a number within [-2e+07, 2e+07], found \"far\"");
   refuse("\n", {}, "points.csv: expected points, found none");
   refuse("50,20\n", {"--observer", "50,20"}, "--observer");
   refuse("50,20\n", {"--best", "0"}, "--best: expected");
