@@ -190,6 +190,20 @@ TEST_F(TerrainPoints, AreRefusedWithAHint) {
       << R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[-70.4,-32.49]}})";
   refuse("height", {"--points", path("far.geojson"), "-o", path("out.gpkg")},
          "feature 0: expected a place on the map");
+  const auto ray_from = [](const char* point) {
+    return std::string(
+               R"({"type":"Feature","properties":{"direction_x":0,"direction_y":-1,"direction_z":0},)") +
+           R"("geometry":{"type":"Point","coordinates":)" + point + "}}";
+  };
+  // A height of 0 m is not what a point without one means.
+  std::ofstream(path("mixed.geojson"))
+      << R"({"type":"FeatureCollection","features":[)" << ray_from("[-70.4967,-32.49,900]") << ','
+      << ray_from("[-70.4967,-32.49]") << "]}";
+  refuse("ray", {"--points", path("mixed.geojson"), "-o", path("out.csv")},
+         "feature 1: expected a point with a z");
+  std::ofstream(path("high.geojson")) << ray_from("[-70.4967,-32.49,1e10]");
+  refuse("ray", {"--points", path("high.geojson"), "-o", path("out.csv")},
+         "feature 0: z: expected a number within [-1e+09, 1e+09], found 1e+10");
   std::ofstream(path("empty.geojson")) << R"({"type":"FeatureCollection","features":[]})";
   refuse("height", {"--points", path("empty.geojson"), "-o", path("out.csv")}, "expected points, found none");
   std::ofstream(path("plain.csv")) << "1,2\n";

@@ -68,15 +68,34 @@ class FeatureQuestions : public QuestionFile {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   double number_of(std::size_t feature, std::size_t column) const {
-    if (attributes_[column] == none) return features_.ends[feature * ends_of(shape())].z;
+    if (attributes_[column] == none) {
+      if (!features_.is_raised[feature]) {
+        throw Error(ErrorKind::bad_input,
+                    fmt::format("{}: expected a point with a z, as others have, found one without",
+                                features_.place_of(feature)),
+                    fmt::format("give all points a z, or none and a field {}", names()[column]));
+      }
+      return bounded(features_.ends[feature * ends_of(shape())].z, feature, "z");
+    }
     return number_of(feature, attributes_[column], names()[column]);
+  }
+
+  /// As numbers of tables are.
+  double bounded(double number, std::size_t feature, const std::string& name) const {
+    if (std::abs(number) <= farthest_coordinate) return number;
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: {}: expected a number within [{:g}, {:g}], found {:g}", features_.place_of(feature),
+                    name, -farthest_coordinate, farthest_coordinate, number),
+        "correct the feature, or leave it out");
   }
 
   double number_of(std::size_t feature, std::size_t attribute, const std::string& name) const {
     const AttributeValue& value = features_.values[feature * features_.columns.size() + attribute];
     if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number))
-      return *number;
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+      return bounded(*number, feature, name);
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+      return bounded(static_cast<double>(*whole), feature, name);
     const auto* text = std::get_if<std::string>(&value);
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a number as its \"{}\", found {}", features_.place_of(feature),
@@ -108,7 +127,7 @@ class FeatureQuestions : public QuestionFile {
           continue;
         }
         const glm::dvec3& end = features_.ends[feature * ends + coordinate / 2];
-        block.given.push_back(coordinate % 2 == 0 ? end.x : end.y);
+        block.given.push_back(bounded(coordinate % 2 == 0 ? end.x : end.y, feature, names()[column]));
         ++coordinate;
       }
       for (const std::string& name : optional()) block.optional.push_back(optional_of(feature, name));

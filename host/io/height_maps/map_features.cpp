@@ -114,7 +114,7 @@ void append_ends(OGRGeometryH geometry, FeatureShape shape, FeatureTable& table)
   std::string found = "no geometry";
   if (whole != nullptr) {
     found = OGR_G_IsEmpty(whole) != 0 ? "an empty geometry"
-            : fits                    ? "coordinates that are no numbers"
+            : fits                    ? "coordinates that are not finite"
                                       : fmt::format("{} of {} part{}", OGR_G_GetGeometryName(whole),
                                                     std::max(points, OGR_G_GetGeometryCount(whole)),
                                  std::max(points, OGR_G_GetGeometryCount(whole)) == 1 ? "" : "s");
@@ -255,7 +255,9 @@ FeatureTable read_features(const std::filesystem::path& path, FeatureShape shape
     table.ids.push_back(OGR_F_GetFID(feature.get()));
     const OGRGeometryH geometry = OGR_F_GetGeometryRef(feature.get());
     append_ends(geometry, shape, table);
-    if (OGR_G_Is3D(geometry) != 0) table.has_heights = true;
+    const bool is_raised = OGR_G_Is3D(geometry) != 0;
+    table.is_raised.push_back(is_raised);
+    table.has_heights = table.has_heights || is_raised;
     for (int i = 0; i < static_cast<int>(table.columns.size()); ++i)
       table.values.push_back(value_of(feature.get(), i, table.columns[static_cast<std::size_t>(i)].kind));
   }

@@ -40,7 +40,8 @@ struct FeatureTable {
   std::string layer;
   std::string coordinate_system;  ///< WKT; empty where the layer names none
   bool is_lonlat = false;         ///< whether that is WGS 84
-  bool has_heights = false;       ///< whether `ends` have a z
+  bool has_heights = false;       ///< whether any of `ends` have a z
+  std::vector<bool> is_raised;    ///< [features], whether the ends of each have one
   std::vector<std::int64_t> ids;
   std::vector<glm::dvec3> ends;  ///< [features][1 or 2], east before north, z 0 without heights
   std::vector<AttributeColumn> columns;

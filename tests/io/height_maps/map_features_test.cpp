@@ -143,6 +143,8 @@ TEST_F(MapFeatures, AreInTheOrderOfMaps) {
   EXPECT_EQ(points.ends[0], glm::dvec3(-70.5, -32.5, 90.0));
   EXPECT_TRUE(points.is_lonlat);
   EXPECT_TRUE(points.has_heights);
+  EXPECT_EQ(read_features(layer_of({"POINT Z(1 2 3)", "POINT(1 2)"}), FeatureShape::points, "").is_raised,
+            (std::vector{true, false}));
   const FeatureTable lines =
       read_features(layer_of({"LINESTRING(-70.5 -32.5,-70.4 -32.6)"}, "EPSG:4326"), FeatureShape::lines, "");
   ASSERT_EQ(lines.ends.size(), 2u);
