@@ -187,6 +187,8 @@ TEST_F(TerrainPlaces, AreRefusedWithAHint) {
   refuse("ray", "utm", {"--crs", "map", "--from", "1,2"}, "--from: expected X,Y,HEIGHT");
   refuse("height", "nowhere", {"--crs", "lonlat", "--at", "-69,-32"},
          "nowhere.asc: expected a map with a place");
+  refuse("ray", "degrees", {"--crs", "lonlat", "--from", "-70.49,-32.49,900", "--to", "289.51,-32.49,900"},
+         "--to: expected a point other than --from");
   refuse("info", "nowhere", {"--crs", "EPSG:32719"}, "nowhere.asc: expected a map with a place");
   refuse("viewshed", "utm", {"--crs", "map", "--observer", "0,0", "-o", path("out.tif")},
          "--observer: expected a place on the map");

@@ -59,18 +59,10 @@ GivenRay read_given(const TerrainRayArguments& arguments, const std::string& crs
   } else {
     ray.direction = read_vector("--direction", arguments.direction, "1,-0.2,0");
   }
-  const bool goes_nowhere = ray.has_target
-                                ? ray.to.place == ray.from.place && ray.to.height_m == ray.from.height_m
-                                : ray.direction == glm::dvec3(0.0);
-  if (goes_nowhere) {
-    throw bad_argument(ray.has_target ? "--to" : "--direction",
-                       ray.has_target ? "a point other than --from" : "a direction other than 0,0,0",
-                       ray.has_target ? arguments.to : arguments.direction, "1,-0.2,0");
-  }
   return ray;
 }
 
-terrain::Ray ray_of(const GivenRay& given, const PlaceSystem& system) {
+terrain::Ray ray_of(const TerrainRayArguments& arguments, const GivenRay& given, const PlaceSystem& system) {
   const auto point = [&](const char* flag, const GivenPlace& place) {
     const glm::dvec2 place_m = system.on_map(flag, place.place);
     return glm::dvec3(place_m.x, place.height_m, place_m.y);
@@ -78,6 +70,13 @@ terrain::Ray ray_of(const GivenRay& given, const PlaceSystem& system) {
   const glm::dvec3 from = point("--from", given.from);
   const glm::dvec3 way = given.has_target ? point("--to", given.to) - from : given.direction;
   const double length_m = glm::length(way);
+  // Unequal coordinates may be one place, but for rounding: longitudes of -70.49 and 289.51 degrees.
+  const double rounding_m = given.has_target && !system.is_local() ? 1e-6 : 0.0;
+  if (length_m <= rounding_m) {
+    throw bad_argument(given.has_target ? "--to" : "--direction",
+                       given.has_target ? "a point other than --from" : "a direction other than 0,0,0",
+                       given.has_target ? arguments.to : arguments.direction, "1,-0.2,0");
+  }
   terrain::Ray ray{.origin_m = from, .direction = way / length_m};
   if (given.has_target) ray.limit_m = length_m;
   return ray;
@@ -211,7 +210,7 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   std::unique_ptr<QuestionFile> questions;
   if (!is_single) questions = arguments.batch.open(terrain.frame(), crs);
   const PlaceSystem system(terrain.frame(), is_single ? crs : local_places);
-  const terrain::Ray ray = is_single ? ray_of(given, system) : terrain::Ray{};
+  const terrain::Ray ray = is_single ? ray_of(arguments, given, system) : terrain::Ray{};
   terrain.open(ocl::Device::open(choose_one_device(options.device)));
   if (!is_single) return answer_all(arguments, terrain, *questions, options);
   const terrain::EarthCurve curve = arguments.curve.read();
