@@ -285,6 +285,7 @@ TEST_F(TerrainCallsTest, ConvertsPlaces) {
   EXPECT_EQ(offing_places_to_terrain(terrain, "atlantis", places.data(), places_m.data(), 2),
             OFFING_BAD_INPUT);
   EXPECT_THAT(offing_last_error(), HasSubstr("system: expected local, map, lonlat"));
+  EXPECT_THAT(offing_last_hint(), HasSubstr("give \"lonlat\" as system"));
   offing_free_terrain(terrain);
   EXPECT_EQ(offing_places_to_terrain(terrain_, "lonlat", places.data(), places_m.data(), 2),
             OFFING_BAD_INPUT);

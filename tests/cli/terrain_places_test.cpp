@@ -193,6 +193,25 @@ TEST_F(TerrainPlaces, AreRefusedWithAHint) {
   refuse("viewshed", "utm", {"--crs", "map", "--observer", "0,0", "-o", path("out.tif")},
          "--observer: expected a place on the map");
   EXPECT_EQ(folder_content(folder_.path()), before);
+  std::ofstream(path("local.csv")) << "0,0\n";
+  const std::vector<float> heights(16, 1.0f);
+  std::ofstream(path("raw.r32"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(heights.data()), 16 * sizeof(float));
+  std::ofstream(path("utm.geojson"))
+      << R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32719"}},)"
+      << R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[1,2]}}]})";
+  const auto refuse_raw = [&](const char* points, const std::string& expected) {
+    const ProgramResult result =
+        run_offing({"terrain", "height", path("raw.r32"), "--raw-size", "4x4", "--spacing-m", "10",
+                    "--points", path(points), "-o", path("out.gpkg")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n"));
+    EXPECT_THAT(result.errors, HasSubstr(expected));
+    EXPECT_THAT(result.errors, ::testing::Not(HasSubstr("--crs")));
+  };
+  refuse_raw("local.csv", "out.gpkg: expected a map with a place in the world for a GeoPackage");
+  // Systems are called by their names: WKT has a thousand characters.
+  refuse_raw("utm.geojson", "utm.geojson: utm WGS 84 / UTM zone 19S needs, found none");
   const auto refuse_points = [&](const std::string& questions, const std::string& expected) {
     std::ofstream(path("questions.csv")) << questions;
     refuse("height", "degrees", {"--crs", "lonlat", "--points", path("questions.csv"), "-o", path("out.csv")},

@@ -125,6 +125,13 @@ class PackageAnswers : public AnswerFile {
   PackageAnswers(const std::string& output, Existing existing, const MapFrame& map,
                  const QuestionFile& questions, const std::vector<AnswerColumn>& answers)
       : questions_(questions) {
+    if (map.georeference.step_x == 0.0) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: expected a map with a place in the world for a GeoPackage, found none in {}",
+                      one_line(output), one_line(map.file)),
+          "write CSV, or place the map with gdal_edit.py -a_ullr");
+    }
     if (questions.system().is_local()) in_map_.emplace(map, map_places);
     const PlaceSystem& system = in_map_ ? *in_map_ : questions.system();
     if (system.coordinate_system().empty()) {

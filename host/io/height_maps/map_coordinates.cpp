@@ -50,11 +50,25 @@ double on_edge(double post, int posts) {
   return post > -rounding && post < last + rounding ? std::clamp(post, 0.0, last) : post;
 }
 
+/// What a person calls a system: of a text in WKT its name.
+std::string short_name(const std::string& system) {
+  if (system.find('[') == std::string::npos) return printable(system);
+  const SpatialReference reference = spatial_reference(system);
+  return reference ? printable(OSRGetName(reference.get())) : "WKT";
+}
+
+/// How to ask for another system: by a flag, as an argument of a call, or in the layer that names one.
+std::string other_system(const std::string& flag, const char* system) {
+  if (flag.starts_with("--")) return fmt::format("write {} {}", flag, system);
+  if (flag.find(": ") == std::string::npos) return fmt::format("give \"{}\" as {}", system, flag);
+  return "give the layer another system with ogr2ogr -t_srs";
+}
+
 [[noreturn]] void refuse_map(const MapFrame& map, const std::string& flag, const std::string& system,
-                             const std::string& found, const char* hint) {
+                             const std::string& found, const std::string& hint) {
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a map with a place in the world, as {} {} needs, found {}",
-                          one_line(map.file), flag, printable(system), found),
+                          one_line(map.file), flag, short_name(system), found),
               hint);
 }
 
@@ -70,9 +84,11 @@ class PlacedCoordinates : public MapCoordinates {
   PlacedCoordinates(const MapFrame& map, const std::string& system, const std::string& flag) : map_(map) {
     const Georeference& place = map.georeference;
     if (place.step_x == 0.0) {
-      refuse_map(
-          map, flag, system, "none",
-          "leave it out for metres from the north-west post, or place the map with gdal_edit.py -a_ullr");
+      refuse_map(map, flag, system, "none",
+                 fmt::format("place the map with gdal_edit.py -a_ullr, or {}",
+                             flag.find(": ") == std::string::npos
+                                 ? other_system(flag, local_places) + " for metres from the north-west post"
+                                 : "give the points as CSV in metres from the north-west post"));
     }
     const GdalSession session;
     const SpatialReference own =
@@ -88,11 +104,13 @@ class PlacedCoordinates : public MapCoordinates {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected local, map, lonlat or a coordinate system of the plane that PROJ "
                               "knows, found \"{}\"",
-                              flag, printable(system)),
-                  "write --crs lonlat for longitude and latitude, or a code such as --crs EPSG:32719");
+                              flag, short_name(system)),
+                  fmt::format("{} for longitude and latitude, or a code such as EPSG:32719",
+                              other_system(flag, lonlat_places)));
     }
-    constexpr const char* hint =
-        "give it one with gdal_edit.py -a_srs EPSG:CODE, or write --crs map for the map's own coordinates";
+    const std::string hint =
+        fmt::format("give it one with gdal_edit.py -a_srs EPSG:CODE, or {} for the map's own coordinates",
+                    other_system(flag, map_places));
     if (!own) refuse_map(map, flag, system, "no coordinate system", hint);
     system_ = height_maps::wkt_of(other.get());
     if (is_lonlat) lonlat_turn_ = round_the_earth(other);
