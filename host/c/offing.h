@@ -513,7 +513,7 @@ typedef struct OffingViewshed {
   double radius_m;                   /**< in plan; nothing beyond is seen; 0: no limit */
   double earth_radius_m, refraction; /**< as in OffingTerrainQuery */
   double azimuth_from_rad;           /**< where the sector begins, clockwise from north, -2 pi to 2 pi */
-  double azimuth_to_rad;             /**< where it ends, clockwise from its begin; both 0: the whole turn */
+  double azimuth_to_rad;             /**< where it ends, clockwise from its start; both 0: the whole turn */
   double lowest_rad, highest_rad;    /**< of lines of sight, up from level, within +-pi/2; both 0: all */
 } OffingViewshed;
 /** Computes which posts an observer sees: seen [rows][columns] is 255 for visible posts, 0 for hidden ones.

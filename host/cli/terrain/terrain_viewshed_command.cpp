@@ -112,7 +112,7 @@ std::vector<scene::Row<ViewshedSettings>> angle_rows() {
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "where it ends, clockwise from its begin",
+            .help = "where the sector ends, clockwise from its start; 360 degrees apart are all azimuths",
             .scale = radians_per_degree}},
           {&ViewshedSettings::lowest_rad,
            {.key = "lowest_deg",
@@ -133,14 +133,15 @@ std::vector<scene::Row<ViewshedSettings>> angle_rows() {
 }
 
 std::vector<scene::Row<ViewshedSettings>> best_rows() {
-  return {{&ViewshedSettings::best,
-           {.key = "best",
-            .low = 1.0,
-            .high = static_cast<double>(terrain::most_observers),
-            .help = "choose so many observers that together see the most: of all choices up to 5000 choices, "
-                    "otherwise each time the one that adds the most",
-            .example = "3",
-            .absent = "none"}}};
+  return {
+      {&ViewshedSettings::best,
+       {.key = "best",
+        .low = 1.0,
+        .high = static_cast<double>(terrain::most_observers),
+        .help = "choose this many observers that together see the most; compares all choices if there are "
+                "at most 5000, otherwise adds the best one at a time",
+        .example = "3",
+        .absent = "none"}}};
 }
 
 /// A map, or the part of a store that is near enough, and where its first post is.
@@ -444,8 +445,8 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
                    const ocl::Device& device, const GlobalOptions& options) {
   const HeightMap& map = seen_map.map;
   const bool keeps_each = settings.best > 0 || !arguments.shares.empty();
-  terrain::SightCounts counts(map.heights_m.size(), keeps_each);
   if (keeps_each) terrain::require_room(map.heights_m.size(), observers.all.size());
+  terrain::SightCounts counts(map.heights_m.size(), keeps_each);
   Looking looking(seen_map, device);
   Progress progress(static_cast<int>(observers.all.size()), "viewsheds", options.verbosity);
   NeededRaster needed(map);
@@ -470,7 +471,7 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
                                    {"observers", counts.observers()},
                                    {"seen_posts", seen_posts},
                                    {"seen_area_m2", area_m2(map, seen_posts)},
-                                   {"most_observers", *std::ranges::max_element(counts.counts())},
+                                   {"largest_count", *std::ranges::max_element(counts.counts())},
                                    {"void_posts", std::count(map.is_void.begin(), map.is_void.end(), 1)}};
     if (settings.best > 0) {
       json["best_exhaustive"] = best.is_exhaustive;
