@@ -127,20 +127,24 @@ class Terrain:
         """The posts that are visible from a place, as bool [rows, columns]. Heights are above ground. Nothing is visible
         beyond radius_m, unless it is 0. azimuth_deg is the sector, clockwise from north from the first to the second, and
         elevation_deg the lowest and highest line of sight."""
+        for name, angles, every in (("azimuth_deg", azimuth_deg, (0, 360)), ("elevation_deg", elevation_deg, (-90, 90))):
+            # The C interface takes two zeros for no limit.
+            if len(angles) == 2 and not any(angles):
+                raise BadInput(f"{name}: expected two angles, got two zeros", f"pass {name}={every} for no limit")
         azimuth_rad = tuple(math.radians(angle) for angle in azimuth_deg)
         elevation_rad = tuple(math.radians(angle) for angle in elevation_deg)
         return self._terrain.viewshed(x_m, z_m, observer_height_m, target_height_m, radius_m, earth_radius_m, refraction,
                                       azimuth_rad, elevation_rad)
 
-    def to_map(self, places: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
+    def to_local(self, places: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
         """Places [n, 2] of a coordinate system as x and z in m on the map. crs is "map" (the map's own coordinates), "lonlat"
         (degrees on WGS 84), or a name such as "EPSG:32719". East comes before north, longitude before latitude. NaN where the
         map's system has no such place."""
-        return self._terrain.to_map(rows("places", places, 2), crs)
+        return self._terrain.to_local(rows("places", places, 2), crs)
 
-    def from_map(self, places_m: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
-        """Points [n, 2] of x and z in m on the map as places of a coordinate system, as to_map() takes them."""
-        return self._terrain.from_map(rows("places_m", places_m, 2), crs)
+    def from_local(self, places_m: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
+        """Points [n, 2] of x and z in m on the map as places of a coordinate system, as to_local() takes them."""
+        return self._terrain.from_local(rows("places_m", places_m, 2), crs)
 
     def __repr__(self):
         count_of_rows, columns = self.shape

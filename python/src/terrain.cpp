@@ -139,7 +139,7 @@ class Terrain {
   }
 
   /// Places of a system as x and z on the terrain.
-  nb::ndarray<nb::numpy, double> to_map(const Rows<2>& places, const std::string& system) {
+  nb::ndarray<nb::numpy, double> to_local(const Rows<2>& places, const std::string& system) {
     const std::size_t count = places.shape(0);
     auto places_m = new_array<double>({count, 2});
     run([&] {
@@ -147,7 +147,7 @@ class Terrain {
     });
     return places_m;
   }
-  nb::ndarray<nb::numpy, double> from_map(const Rows<2>& places_m, const std::string& system) {
+  nb::ndarray<nb::numpy, double> from_local(const Rows<2>& places_m, const std::string& system) {
     const std::size_t count = places_m.shape(0);
     auto places = new_array<double>({count, 2});
     run([&] {
@@ -219,6 +219,6 @@ void bind_terrain(nb::module_& module) {
            "refraction"_a)
       .def("viewshed", &Terrain::viewshed, "x_m"_a, "z_m"_a, "observer_height_m"_a, "target_height_m"_a,
            "radius_m"_a, "earth_radius_m"_a, "refraction"_a, "azimuth_rad"_a, "elevation_rad"_a)
-      .def("to_map", &Terrain::to_map, "places"_a, "system"_a)
-      .def("from_map", &Terrain::from_map, "places_m"_a, "system"_a);
+      .def("to_local", &Terrain::to_local, "places"_a, "system"_a)
+      .def("from_local", &Terrain::from_local, "places_m"_a, "system"_a);
 }

@@ -48,6 +48,9 @@ class TerrainTest(unittest.TestCase):
         south = self.ridge.viewshed(500.0, 900.0, observer_height_m=2.0, azimuth_deg=(90.0, 270.0))
         self.assertTrue(south[95, 50])
         self.assertFalse(south[80, 50])
+        for nothing in ({"azimuth_deg": (0.0, 0.0)}, {"elevation_deg": (0, 0)}):
+            with self.assertRaisesRegex(offing.BadInput, "two zeros"):
+                self.ridge.viewshed(500.0, 900.0, **nothing)
 
     # Fails if longitude and latitude change places, or the way back leads elsewhere.
     def test_places(self):
@@ -59,10 +62,10 @@ class TerrainTest(unittest.TestCase):
                 'UNIT["degree",0.0174532925199433]]')
             terrain = offing.Terrain(path, device=self.device)
             place = [[-70.49, -32.49]]
-            np.testing.assert_allclose(terrain.to_map(place), [[terrain.info["spacing_x_m"], 0.0]], atol=1e-6)
-            np.testing.assert_allclose(terrain.from_map(terrain.to_map(place), "EPSG:4326"), place, atol=1e-9)
+            np.testing.assert_allclose(terrain.to_local(place), [[terrain.info["spacing_x_m"], 0.0]], atol=1e-6)
+            np.testing.assert_allclose(terrain.from_local(terrain.to_local(place), "EPSG:4326"), place, atol=1e-9)
             with self.assertRaisesRegex(offing.BadInput, "expected local, map, lonlat"):
-                terrain.to_map(place, "atlantis")
+                terrain.to_local(place, "atlantis")
 
     # Fails if rays straight down miss the ground, or upward ones hit it.
     def test_rays(self):
