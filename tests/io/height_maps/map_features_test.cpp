@@ -231,6 +231,7 @@ TEST_F(MapFeatures, AreWritten) {
     EXPECT_FALSE(std::filesystem::exists(file));
     writer->commit();
   }
+  GDALAllRegister();
   const GDALDatasetH dataset = GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr);
   ASSERT_NE(dataset, nullptr);
   const OGRLayerH layer = GDALDatasetGetLayer(dataset, 0);
