@@ -60,8 +60,9 @@ enum class ParticleAlbedo { of_look, own };
 ///
 /// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
 /// (host/clouds/light/phase_function.h) and diffusion of what is scattered more often
-/// (kernels/clouds/light_diffuse.cl). A cloud takes 1.7 MB of the device, and 0.1 MB more with each sun after
-/// the first; 3.3 MB and 0.3 MB where any has colours.
+/// (kernels/clouds/light_diffuse.cl). A cloud takes 0.7 MB of the device, and 0.1 MB more with each
+/// sun after the first; each of up to 16 clouds takes 5 MB more to work with. In smaller cells all are twice
+/// as large.
 class ParticleLight {
  public:
   explicit ParticleLight(const ocl::Device& device, LightCells cells = LightCells::of_billboards);
