@@ -18,8 +18,10 @@
 /// Points and lines of GIS files, with their attributes.
 namespace offing {
 
+/// Of the values of an attribute.
 enum class AttributeKind { text, whole, number };
 
+/// An attribute that each feature of a layer has.
 struct AttributeColumn {
   std::string name;
   AttributeKind kind = AttributeKind::number;
