@@ -132,22 +132,31 @@ OffingTerrainInfo info_of_terrain(const OffingTerrain& terrain) {
   return info;
 }
 
-/// Pairs of a C array.
-std::vector<glm::dvec2> pairs_at(const double* pairs, std::size_t count) {
+/// Pairs of coordinates, and the argument's name.
+template <typename Number>
+struct Pairs {
+  Number* numbers;
+  const char* name;
+};
+
+void write_places(OffingTerrain* terrain, const char* system, Pairs<const double> from, Pairs<double> to,
+                  std::size_t count,
+                  std::vector<glm::dvec2> (offing::MapCoordinates::*way)(std::span<const glm::dvec2>) const) {
+  const Use use(terrain, "terrain");
+  require(system, "system");
+  const auto coordinates =
+      offing::map_coordinates(offing::frame_of("terrain", terrain->file.map), system, "system");
+  if (count == 0) return;
+  require(from.numbers, from.name);
+  require(to.numbers, to.name);
   std::vector<glm::dvec2> places;
-  for (std::size_t i = 0; i < count; ++i) places.emplace_back(pairs[2 * i], pairs[2 * i + 1]);
-  return places;
-}
-
-void write_pairs(double* pairs, const std::vector<glm::dvec2>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    pairs[2 * i] = places[i].x;
-    pairs[2 * i + 1] = places[i].y;
+  places.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) places.emplace_back(from.numbers[2 * i], from.numbers[2 * i + 1]);
+  places = (*coordinates.*way)(places);
+  for (std::size_t i = 0; i < count; ++i) {
+    to.numbers[2 * i] = places[i].x;
+    to.numbers[2 * i + 1] = places[i].y;
   }
-}
-
-std::unique_ptr<offing::MapCoordinates> coordinates_of(const OffingTerrain& terrain, const char* system) {
-  return offing::map_coordinates(offing::frame_of("terrain", terrain.file.map), system, "system");
 }
 
 /// Zeros of a struct that knows no limits, and of one that asks for none, mean all directions.
@@ -321,26 +330,16 @@ OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8
 OffingStatus offing_places_to_terrain(OffingTerrain* terrain, const char* system, const double* places,
                                       double* places_m, size_t count) {
   return run([&] {
-    const Use use(terrain, "terrain");
-    require(system, "system");
-    const auto coordinates = coordinates_of(*terrain, system);
-    if (count == 0) return;
-    require(places, "places");
-    require(places_m, "places_m");
-    write_pairs(places_m, coordinates->to_local(pairs_at(places, count)));
+    write_places(terrain, system, {places, "places"}, {places_m, "places_m"}, count,
+                 &offing::MapCoordinates::to_local);
   });
 }
 
 OffingStatus offing_places_from_terrain(OffingTerrain* terrain, const char* system, const double* places_m,
                                         double* places, size_t count) {
   return run([&] {
-    const Use use(terrain, "terrain");
-    require(system, "system");
-    const auto coordinates = coordinates_of(*terrain, system);
-    if (count == 0) return;
-    require(places_m, "places_m");
-    require(places, "places");
-    write_pairs(places, coordinates->from_local(pairs_at(places_m, count)));
+    write_places(terrain, system, {places_m, "places_m"}, {places, "places"}, count,
+                 &offing::MapCoordinates::from_local);
   });
 }
 

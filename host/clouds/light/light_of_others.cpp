@@ -12,7 +12,9 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "host/base/tangent_plane.h"
 #include "host/clouds/light/phase_function.h"
+#include "host/clouds/shape/metaball.h"
 
 namespace offing::clouds {
 namespace {
@@ -74,11 +76,10 @@ class SeenCloud {
   glm::dvec3 point_m(const glm::dvec3& direction, int number) const {
     // In axes in which it is a unit sphere; numbers of R2 (Roberts 2018).
     const glm::dvec3 toward = glm::normalize(direction / half_axes_m_);
-    const glm::dvec3 aside = glm::normalize(
-        glm::cross(toward, std::abs(toward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
+    const TangentFrame frame(toward);
     const double square = glm::fract(0.5 + 0.7548776662 * number),
                  angle = 2.0 * std::numbers::pi * glm::fract(0.5 + 0.5698402910 * number);
-    const glm::dvec3 across = std::cos(angle) * aside + std::sin(angle) * glm::cross(toward, aside);
+    const glm::dvec3 across = std::cos(angle) * frame.u + std::sin(angle) * frame.w;
     return middle_m_ + half_axes_m_ * (std::sqrt(square) * across + std::sqrt(1.0 - square) * toward);
   }
 
@@ -172,7 +173,7 @@ CloudExtent extent_of(std::span<const CloudParticle> particles) {
     if (!std::isfinite(place.x + place.y + place.z + mass + radius)) continue;
     extent.optical_mass_m2 += mass;
     sum += mass * place;
-    squares += mass * (place * place + 0.1041 * radius * radius);  // of h (kernels/clouds/light_density.cl)
+    squares += mass * (place * place + ball_variance / 3.0 * radius * radius);
   }
   if (!(extent.optical_mass_m2 > 0.0)) return {};
   extent.middle_m = sum / extent.optical_mass_m2;

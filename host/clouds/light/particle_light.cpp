@@ -28,11 +28,10 @@ struct CellCounts {
   int of_heap, of_flat;
 };
 CellCounts wanted_cells(LightCells cells, std::size_t clouds) {
-  constexpr int of_heap = 4096, of_flat = static_cast<int>(light_grid_cells(LightCells::of_billboards));
+  constexpr int of_heap = billboard_heap_cells, of_flat = light_grid_cells(LightCells::of_billboards);
   if (cells == LightCells::of_billboards) return {of_heap, of_flat};
-  // Of all clouds together, as long as they are few.
-  constexpr std::size_t most = 65536;
-  const auto finer = static_cast<int>(std::bit_floor(std::min(most / clouds, light_grid_cells(cells))));
+  const auto finer =
+      static_cast<int>(std::bit_floor(std::min(marched_sky_cells / clouds, light_grid_cells(cells))));
   return {std::max(of_heap, finer), std::max(of_flat, finer)};
 }
 
@@ -66,8 +65,10 @@ void require_light(const char* name, const glm::dvec3& value) {
 CloudLightParams packed(const CloudIllumination& light, int suns) {
   require_light("sky_kcdpm2", light.sky_kcdpm2);
   require_light("ground_kcdpm2", light.ground_kcdpm2);
-  require_light("sky_kcdpm2 + clouds_above_kcdpm2", light.sky_kcdpm2 + light.clouds_above_kcdpm2);
-  require_light("ground_kcdpm2 + clouds_below_kcdpm2", light.ground_kcdpm2 + light.clouds_below_kcdpm2);
+  const glm::dvec3 with_clouds_above = light.sky_kcdpm2 + light.clouds_above_kcdpm2,
+                   with_clouds_below = light.ground_kcdpm2 + light.clouds_below_kcdpm2;
+  require_light("sky_kcdpm2 + clouds_above_kcdpm2", with_clouds_above);
+  require_light("ground_kcdpm2 + clouds_below_kcdpm2", with_clouds_below);
   CloudLightParams params{};
   for (const CloudLight& sun : light.suns) {
     require_light("illuminance_klx", sun.illuminance_klx);
@@ -82,8 +83,7 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
   const glm::vec3 sky(light.sky_kcdpm2), ground(light.ground_kcdpm2);
   params.sky_red = sky.r, params.sky_green = sky.g, params.sky_blue = sky.b;
   params.ground_red = ground.r, params.ground_green = ground.g, params.ground_blue = ground.b;
-  const glm::vec3 above(light.sky_kcdpm2 + light.clouds_above_kcdpm2),
-      below(light.ground_kcdpm2 + light.clouds_below_kcdpm2);
+  const glm::vec3 above(with_clouds_above), below(with_clouds_below);
   params.above_red = above.r, params.above_green = above.g, params.above_blue = above.b;
   params.below_red = below.r, params.below_green = below.g, params.below_blue = below.b;
   return params;

@@ -32,9 +32,12 @@ enum class LightCells { of_billboards, of_marched };
 constexpr std::size_t light_grid_cells(LightCells cells) {
   return cells == LightCells::of_marched ? CLOUD_MOST_CELLS : CLOUD_MOST_CELLS / 2;
 }
-/// Whether so many clouds can have smaller cells: more than that would take too long.
+/// Cells of a heap for billboards, and of all clouds of a sky together where they are marched: more would
+/// take too long.
+constexpr std::size_t billboard_heap_cells = 4096, marched_sky_cells = 65536;
+/// Whether so many clouds can have smaller cells, at least twice as many.
 constexpr bool have_marched_cells(std::size_t clouds) {
-  return clouds <= 8;
+  return 2 * clouds * billboard_heap_cells <= marched_sky_cells;
 }
 
 /// On the device, of the last relight() by the calibrated model: what the headers of

@@ -54,8 +54,8 @@ class ClearLine {
   double distance_m_, bend_perm_, plan_m_, from_m_, to_m_;
 };
 
-/// Where a parabola through three places that are h apart, the first at t, is lowest; the first one without
-/// one.
+/// Where a parabola through three places that are h apart, the first at t, is lowest; t where the parabola
+/// has no lowest place.
 double lowest_at(double t, double h, double first, double middle, double last) {
   const double curvature = first - 2.0 * middle + last;
   if (!(curvature > 0.0)) return t;
@@ -111,7 +111,11 @@ FresnelClearance fresnel_clearance(const TerrainPosts& posts, const EarthCurve& 
   constexpr double golden = 0.6180339887498949;
   for (int i = 0; i < 40; ++i) {
     const double left = high - golden * (high - low), right = low + golden * (high - low);
-    (share(left) < share(right) ? high : low) = share(left) < share(right) ? right : left;
+    if (share(left) < share(right)) {
+      high = right;
+    } else {
+      low = left;
+    }
   }
   const double at = 0.5 * (low + high);
   return {share(at), at * line.distance_m(), radius_m(at)};

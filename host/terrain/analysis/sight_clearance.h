@@ -22,14 +22,14 @@ struct FresnelClearance {
 };
 
 /// The smallest clearance of a line between two ends, both of them included, over ground that falls away by a
-/// curve from the first end on. Exact in double precision: between cells of the grid the clearance is a
+/// curve from the first end on. Exact in double precision: within a cell of the grid the clearance is a
 /// parabola. Throws what LineOfSight throws.
 SightClearance sight_clearance(const TerrainPosts& posts, const EarthCurve& curve, const SightEnd& from,
                                const SightEnd& to);
 
 /// The same for the first Fresnel zone of radio waves, whose radius at distances d1 and d2 from the ends is
-/// sqrt(wavelength d1 d2 / (d1 + d2)) (ITU-R P.526). Each cell's share is sampled at 8 places, and the
-/// smallest one then searched for: right to 1e-4 of the share.
+/// sqrt(wavelength d1 d2 / (d1 + d2)) (ITU-R P.526). The share is sampled at 8 places of each cell,
+/// and the smallest one searched for between the places beside the smallest sample.
 FresnelClearance fresnel_clearance(const TerrainPosts& posts, const EarthCurve& curve, const SightEnd& from,
                                    const SightEnd& to, double frequency_hz);
 

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "host/base/error.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "kernels/shared/terrain_sight.h"
 
 namespace offing::terrain {
@@ -43,7 +44,7 @@ class Sector {
     if (is_whole_ || (way.x == 0.0 && way.y == 0.0)) return true;
     const double rounding = rounding_rad * (std::abs(way.x) + std::abs(way.y));
     const bool is_after = clockwise(from_, way) >= -rounding, is_before = clockwise(way, to_) >= -rounding;
-    // The way back along a narrow sector's middle is neither; the edges are within.
+    // The edges are within; the direction opposite to a narrow sector's middle is not.
     if (is_wide_) return is_after || is_before;
     return is_after && is_before && from_.x * way.x + from_.y * way.y + to_.x * way.x + to_.y * way.y >= 0.0;
   }
@@ -53,17 +54,18 @@ class Sector {
   bool is_whole_ = true, is_wide_ = false;
 };
 
-double ground_m(const PostGrid& grid, std::span<const float> heights_m, double x, double z) {
-  const int column = std::min(static_cast<int>(x), grid.columns - 2);
-  const int row = std::min(static_cast<int>(z), grid.rows - 2);
-  const auto height_m = [&](int of_column, int of_row) {
-    return static_cast<double>(
-        heights_m[static_cast<std::size_t>(of_row) * static_cast<std::size_t>(grid.columns) +
-                  static_cast<std::size_t>(of_column)]);
-  };
-  const double u = x - column, v = z - row;
-  return std::lerp(std::lerp(height_m(column, row), height_m(column + 1, row), u),
-                   std::lerp(height_m(column, row + 1), height_m(column + 1, row + 1), u), v);
+double ground_m(const PostGrid& grid, std::span<const float> heights_m, double x_m, double z_m) {
+  const TerrainPosts posts{
+      grid.columns,
+      grid.rows,
+      grid.spacing_x_m,
+      grid.spacing_z_m,
+      [&](int column, int row) {
+        return heights_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                         static_cast<std::size_t>(column)];
+      },
+      {}};
+  return terrain_at(posts, x_m, z_m)->height_m;
 }
 
 }  // namespace
@@ -99,8 +101,7 @@ void mark_outside(const PostGrid& grid, std::span<const float> heights_m,
   if (sector.is_whole() && !has_heights && !has_radius) return;
   const double x_m = parameters.observer_x_m - grid.origin_x_m,
                z_m = parameters.observer_z_m - grid.origin_z_m;
-  const double eye_m = ground_m(grid, heights_m, x_m / grid.spacing_x_m, z_m / grid.spacing_z_m) +
-                       parameters.observer_height_m;
+  const double eye_m = ground_m(grid, heights_m, x_m, z_m) + parameters.observer_height_m;
   const double lowest = std::tan(limits.lowest_rad), highest = std::tan(limits.highest_rad);
   const double radius_squared = parameters.radius_m * parameters.radius_m,
                bend_perm = parameters.curve.bend_perm();
@@ -111,7 +112,7 @@ void mark_outside(const PostGrid& grid, std::span<const float> heights_m,
       const double east_m = column * grid.spacing_x_m - x_m;
       const double plan_squared = east_m * east_m + south_m * south_m;
       const std::size_t post = first + static_cast<std::size_t>(column);
-      // What a viewshed has seen is within the radius, as it rounds that.
+      // The kernel rounds the radius: what it found visible is within.
       const bool is_far = has_radius && plan_squared > radius_squared && seen[post] != SIGHT_VISIBLE;
       bool is_within = !is_far && sector.has({east_m, south_m});
       if (is_within && has_heights) {
