@@ -19,6 +19,9 @@
 
 // Edge of the cube of noise that lumps the density (host/clouds/light/lump_noise.h); a power of two.
 #define CLOUD_LUMP_TEXELS 64
+// A texel holds four values of it, its own and those next along x, y and both, in 8 bits each.
+#define CLOUD_LUMP_LEAST -2.0f
+#define CLOUD_LUMP_STEP (1.0f / 32.0f)
 
 // The particles of a cloud between planes across the axes of its volume.
 typedef struct {

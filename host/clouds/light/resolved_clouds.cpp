@@ -25,6 +25,23 @@ constexpr double margin_cells = 0.5 + CLOUD_MARCH_LEAST_RADIUS;
 // Edge of a texel of noise, in mean radii of particles.
 constexpr float lump_radii = 0.06f;
 
+/// Noise as the kernel reads it (CLOUD_LUMP_LEAST).
+std::vector<std::uint32_t> lump_squares(const std::vector<float>& noise) {
+  constexpr std::size_t edge = CLOUD_LUMP_TEXELS;
+  const auto byte_at = [&](std::size_t x, std::size_t y, std::size_t z) {
+    const float value = noise[(z * edge + y % edge) * edge + x % edge];
+    return static_cast<std::uint32_t>(
+        std::clamp(std::lround((value - CLOUD_LUMP_LEAST) / CLOUD_LUMP_STEP), 0L, 255L));
+  };
+  std::vector<std::uint32_t> squares;
+  for (std::size_t z = 0; z < edge; ++z)
+    for (std::size_t y = 0; y < edge; ++y)
+      for (std::size_t x = 0; x < edge; ++x)
+        squares.push_back(byte_at(x, y, z) | byte_at(x + 1, y, z) << 8 | byte_at(x, y + 1, z) << 16 |
+                          byte_at(x + 1, y + 1, z) << 24);
+  return squares;
+}
+
 int rounded_up(double cells, int step) {
   return step * std::max(1, static_cast<int>(std::ceil(cells / step)));
 }
@@ -104,7 +121,8 @@ ResolvedClouds::ResolvedClouds(const ocl::Device& device, double lumps)
       blocks_kernel_(march_kernel(device, "clouds/march/march_blocks.cl", "march_blocks", density_tuning_)),
       descent_kernel_(
           march_kernel(device, "clouds/march/march_descent.cl", "march_descent", density_tuning_)),
-      beam_kernel_(march_kernel(device, "clouds/march/march_beam.cl", "march_beam", group_tuning_)) {}
+      beam_kernel_(march_kernel(device, "clouds/march/march_beam.cl", "march_beam", group_tuning_)),
+      pairs_kernel_(march_kernel(device, "clouds/march/march_pairs.cl", "march_pairs", cell_tuning_)) {}
 
 ResolvedClouds::Kernels& ResolvedClouds::kernels() {
   const int channels = light_->fields().channels;
@@ -129,6 +147,9 @@ void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const Part
                         fields.grids, axes_, bounds_buffer_);
   bounds_ = bounds_buffer_.read();
   bounds_.resize(fields.clouds);
+  if (phases_.size() < fields.phases.size())
+    phases_ = ocl::Buffer<std::uint32_t>(device_, fields.phases.size(), "phases of marched clouds");
+  pair(fields.phases, fields.phases.size(), 0, phases_);
   std::ranges::fill(slots_, std::nullopt);
 }
 
@@ -141,14 +162,16 @@ void ResolvedClouds::reserve(std::size_t slots) {
     buffer = std::decay_t<decltype(buffer)>(device_, size, name);
     is_new = true;
   };
-  fit(density_, slots * CLOUD_MARCH_CELLS, "density of marched clouds");
-  fit(depths_, slots * std::max<std::size_t>(suns, 1) * CLOUD_MARCH_CELLS, "sunlight in marched clouds");
+  fit(density_, CLOUD_MARCH_CELLS, "density of a marched cloud");
+  fit(depths_, std::max<std::size_t>(suns, 1) * CLOUD_MARCH_CELLS, "sunlight in a marched cloud");
+  fit(cells_, slots * (1 + suns) * CLOUD_MARCH_CELLS, "marched clouds' cells");
   fit(blocks_, slots * CLOUD_MARCH_BLOCKS, "blocks of marched clouds");
   fit(volumes_buffer_, slots, "marched clouds");
   const std::size_t source_cells = slots * vectors * light_grid_cells(light_->fields().cells);
   if (sources_.size() < source_cells)
     sources_ = ocl::Buffer<std::array<float, 4>>(device_, source_cells, "light of marched clouds");
-  if (noise_.size() == 0) noise_ = ocl::Buffer<float>(device_, lump_noise(), "lumps of clouds");
+  if (noise_.size() == 0)
+    noise_ = ocl::Buffer<std::uint32_t>(device_, lump_squares(lump_noise()), "lumps of clouds");
   slots_.resize(std::max(slots_.size(), slots));
   if (!is_new) return;
   std::ranges::fill(slots_, std::nullopt);
@@ -241,15 +264,27 @@ void ResolvedClouds::make(const CloudMarchVolume& volume) {
   density_kernel_.launch({{planes}}, *particles_, bounds.first, bounds.end, volume, density_);
   blocks_kernel_.launch({{planes / CLOUD_MARCH_BLOCK}}, *particles_, bounds.first, bounds.end, volume,
                         blocks_);
-  if (light.suns == 0) return;
+  const std::size_t cells =
+      planes * static_cast<std::size_t>(volume.size_y) * static_cast<std::size_t>(volume.size_x);
+  const auto suns = static_cast<std::size_t>(light.suns), slot = static_cast<std::size_t>(volume.slot);
+  const std::size_t first = slot * (1 + suns) * CLOUD_MARCH_CELLS;
+  pair(density_, cells, first, cells_);
+  if (suns == 0) return;
   const auto clouds = static_cast<int>(light.clouds);
   descent_kernel_.launch({{static_cast<std::size_t>(volume.size_y)}}, volume, density_, light.grids,
                          light.looks, light.lights, light.entries, clouds, light.suns, light.channels,
                          depths_);
-  if (light.suns == 1) return;
-  beam_kernel_.launch(
-      {{static_cast<std::size_t>(light.suns - 1) * group_tuning_.group}, {group_tuning_.group}}, volume,
-      density_, light.grids, light.looks, light.lights, light.entries, clouds, light.channels, depths_);
+  if (suns > 1)
+    beam_kernel_.launch(
+        {{static_cast<std::size_t>(light.suns - 1) * group_tuning_.group}, {group_tuning_.group}}, volume,
+        density_, light.grids, light.looks, light.lights, light.entries, clouds, light.channels, depths_);
+  pair(depths_, suns * CLOUD_MARCH_CELLS, first + CLOUD_MARCH_CELLS, cells_);
+}
+
+void ResolvedClouds::pair(const ocl::Buffer<float>& values, std::size_t count, std::size_t first,
+                          ocl::Buffer<std::uint32_t>& pairs) {
+  pairs_kernel_.launch(ocl::launch_shape(cell_tuning_, count), values, static_cast<int>(count),
+                       static_cast<int>(first), pairs);
 }
 
 void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams params, const glm::dvec3& eye_m,
@@ -261,9 +296,9 @@ void ResolvedClouds::march(const ocl::LaunchShape& shape, CloudImageParams param
   kernels().source.launch(ocl::launch_shape(cell_tuning_, light_grid_cells(light.cells), volumes_.size()),
                           volumes_buffer_, light.grids, light.absorption, light.glow, light.drift, eye.x,
                           eye.y, eye.z, sources_);
-  kernels().march.launch(shape, volumes_buffer_, static_cast<int>(volumes_.size()), density_, depths_,
-                         blocks_, sources_, light.grids, light.looks, light.lights, light.phases, noise_,
-                         scene_depth, params, image, distance_m);
+  kernels().march.launch(shape, volumes_buffer_, static_cast<int>(volumes_.size()), cells_, blocks_, sources_,
+                         light.grids, light.looks, light.lights, phases_, noise_, scene_depth, params, image,
+                         distance_m);
 }
 
 }  // namespace offing::clouds

@@ -24,7 +24,7 @@ namespace offing::clouds {
 /// shown as billboards where they are small; in between it is shown as both, each with a share of its
 /// density.
 ///
-/// A volume takes 2 MB of the device, and 2 MB more for each sun.
+/// A volume takes 2 MB of the device, and 2 MB more for each sun; all together as much again to make one.
 class ResolvedClouds {
  public:
   /// lumps: how strong those smaller than particles are, 0 (left out) to 1.
@@ -68,11 +68,13 @@ class ResolvedClouds {
   Kernels& kernels();
   void reserve(std::size_t slots);
   void make(const CloudMarchVolume& volume);
+  void pair(const ocl::Buffer<float>& values, std::size_t count, std::size_t first,
+            ocl::Buffer<std::uint32_t>& pairs);
 
   ocl::Device device_;
   double lumps_;
   ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, picture_tuning_;
-  ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, descent_kernel_, beam_kernel_;
+  ocl::Kernel bounds_kernel_, density_kernel_, blocks_kernel_, descent_kernel_, beam_kernel_, pairs_kernel_;
   std::array<std::optional<Kernels>, 2> kernels_;  // of one channel and of three
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   const ParticleLight* light_ = nullptr;
@@ -85,7 +87,9 @@ class ResolvedClouds {
   glm::dvec3 origin_m_{0.0};
   ocl::Buffer<CloudMarchBounds> bounds_buffer_;
   ocl::Buffer<CloudMarchVolume> volumes_buffer_;
-  ocl::Buffer<float> shares_, density_, depths_, noise_;
+  ocl::Buffer<float> shares_;
+  ocl::Buffer<float> density_, depths_;  // of the volume that is made
+  ocl::Buffer<std::uint32_t> cells_, phases_, noise_;
   ocl::Buffer<std::int32_t> blocks_;
   ocl::Buffer<std::array<float, 4>> sources_;
 };

@@ -2,10 +2,12 @@
 // the eye, in the delta-scaled medium (kernels/clouds/light_grid.clh): suns' light that comes straight from them, with the
 // phase of the whole way (phase tables), and what was scattered before, of sources. Sky that is only scattered nearly
 // forward is seen too: the scaled medium lets more of it through than the true one.
-// In:  volumes [volume_count], the nearest first; of kernels/clouds/march density, depths, blocks and sources; grids, looks,
-//      lights, phases, noise of lumps; the camera, with places in the axes of the volumes; scene_depth as
+// In:  volumes [volume_count], the nearest first; cells [slots][1 + suns][CLOUD_MARCH_CELLS]: density and depths of
+//      kernels/clouds/march in pairs along x; blocks and sources; grids, looks, lights; phases in pairs along angles;
+//      squares of the noise of lumps (host/clouds/light/lump_noise.h); the camera, with places in the axes of the volumes; scene_depth as
 //      billboard_composite.cl has it.
 // Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], of their mean. Row 0 is at the bottom.
+#include "clouds/march/march_pairs.clh"
 #include "clouds/march/march_source.clh"
 #include "clouds/march/march_volume.clh"
 #include "clouds/march/pixel_rays.clh"
@@ -62,31 +64,44 @@ INLINE lanes sampled(__global const float *restrict values, int pitch, Trilinear
   return mixed(low, high, at.z);
 }
 
+// Of values in pairs along x.
+INLINE lanes sampled_pairs(__global const uint *restrict pairs, Trilinear at) {
+  const lanes low = mixed(mixed_pair(gathered_pairs(pairs, at.first), at.x),
+                          mixed_pair(gathered_pairs(pairs + at.row, at.first), at.x), at.y);
+  pairs += at.plane;
+  const lanes high = mixed(mixed_pair(gathered_pairs(pairs, at.first), at.x),
+                           mixed_pair(gathered_pairs(pairs + at.row, at.first), at.x), at.y);
+  return mixed(low, high, at.z);
+}
+
+// One of four values of a word.
+INLINE lanes lump_of(uint_lanes square, int corner) { return convert_lanes((square >> (uint)(8 * corner)) & 255u); }
+
+INLINE lanes mixed_square(uint_lanes square, lanes x, lanes y) {
+  return mixed(mixed(lump_of(square, 0), lump_of(square, 1), x), mixed(lump_of(square, 2), lump_of(square, 3), x), y);
+}
+
 // Of noise that goes on at its sides, at a place in texels.
-INLINE lanes lump_at(__global const float *restrict noise, lanes x, lanes y, lanes z) {
+INLINE lanes lump_at(__global const uint *restrict noise, lanes x, lanes y, lanes z) {
   const lanes low_x = floor(x), low_y = floor(y), low_z = floor(z);
-  const int last = CLOUD_LUMP_TEXELS - 1;
-  const int_lanes i = convert_int_lanes(low_x) & last, next_i = (i + 1) & last;
-  const int_lanes j = (convert_int_lanes(low_y) & last) * CLOUD_LUMP_TEXELS, next_j = (j + CLOUD_LUMP_TEXELS) & (last * CLOUD_LUMP_TEXELS);
-  const int plane = CLOUD_LUMP_TEXELS * CLOUD_LUMP_TEXELS;
+  const int last = CLOUD_LUMP_TEXELS - 1, plane = CLOUD_LUMP_TEXELS * CLOUD_LUMP_TEXELS;
+  const int_lanes in_plane = (convert_int_lanes(low_y) & last) * CLOUD_LUMP_TEXELS + (convert_int_lanes(low_x) & last);
   const int_lanes k = (convert_int_lanes(low_z) & last) * plane, next_k = (k + plane) & (last * plane);
   const lanes in_x = x - low_x, in_y = y - low_y;
-  const lanes low = mixed(mixed(gathered(noise, k + j + i), gathered(noise, k + j + next_i), in_x),
-                          mixed(gathered(noise, k + next_j + i), gathered(noise, k + next_j + next_i), in_x), in_y);
-  const lanes high = mixed(mixed(gathered(noise, next_k + j + i), gathered(noise, next_k + j + next_i), in_x),
-                           mixed(gathered(noise, next_k + next_j + i), gathered(noise, next_k + next_j + next_i), in_x), in_y);
-  return mixed(low, high, z - low_z);
+  const lanes low = mixed_square(gathered_pairs(noise, k + in_plane), in_x, in_y);
+  const lanes high = mixed_square(gathered_pairs(noise, next_k + in_plane), in_x, in_y);
+  return fma(mixed(low, high, z - low_z), (lanes)CLOUD_LUMP_STEP, (lanes)CLOUD_LUMP_LEAST);
 }
 
 // 1/sr, at a place of a table's rows and after a way of this depth (clouds/phase.clh).
-INLINE lanes phase_of(__global const float *restrict table, lanes angle_place, lanes depth) {
+INLINE lanes phase_of(__global const uint *restrict table, lanes angle_place, lanes depth) {
   const lanes u = depth / (depth + CLOUD_PHASE_DEPTH_SCALE) * (float)CLOUD_PHASE_DEPTHS;
   const int_lanes row = up_to(convert_int_lanes(u), CLOUD_PHASE_DEPTHS - 2);
   const int_lanes column = up_to(convert_int_lanes(angle_place), CLOUD_PHASE_ANGLES - 2);
   const lanes down = least(u - convert_lanes(row), (lanes)1.0f), right = angle_place - convert_lanes(column);
   const int_lanes first = row * CLOUD_PHASE_ANGLES + column;
-  return mixed(mixed(gathered(table, first), gathered(table + 1, first), right),
-               mixed(gathered(table + CLOUD_PHASE_ANGLES, first), gathered(table + CLOUD_PHASE_ANGLES + 1, first), right), down);
+  return mixed(mixed_pair(gathered_pairs(table, first), right),
+               mixed_pair(gathered_pairs(table + CLOUD_PHASE_ANGLES, first), right), down);
 }
 
 // Along an axis, the distances at which rays enter and leave, given how far the walls are, in metres.
@@ -125,7 +140,7 @@ INLINE lanes most_kept(const March *march) {
 }
 
 typedef struct {
-  __global const float *density, *depths, *phases, *noise;
+  __global const uint *cells, *phases, *noise;
   __global const int *blocks;
   __global const float *sources;
 } MarchedArrays;
@@ -192,7 +207,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
       const lanes half_piece = 0.5f * piece;
       const Trilinear at = trilinear_at(fma(half_piece, speed_x, x), fma(half_piece, speed_y, y), fma(half_piece, speed_z, z), volume.size_x,
                                         volume.size_y, volume.size_z);
-      lanes extinction = select((lanes)0.0f, sampled(arrays.density, 1, at), holds);
+      lanes extinction = select((lanes)0.0f, sampled_pairs(arrays.cells, at), holds);
       if (any_lane(mask_of(extinction > 0.0f))) {
         const lanes middle = way + half_piece;
         const lanes texel_px = lump_px / most(middle, (lanes)1.0f);
@@ -224,7 +239,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
         lanes shown[3] = {shared[0], shared[1], shared[2]}, lit[CHANNELS];
         const lanes eye_depth = fma(extinction, half_piece, depth_before + march->depth);
         for (int sun = 0; sun < light->sun_count; ++sun) {
-          const lanes sun_depth = sampled(arrays.depths + sun * CLOUD_MARCH_CELLS, 1, at);
+          const lanes sun_depth = sampled_pairs(arrays.cells + (1 + sun) * CLOUD_MARCH_CELLS, at);
           for (int channel = 0; channel < CHANNELS; ++channel)
             lit[channel] = exp_of(-sun_depth * scaled[channel]) *
                            phase_of(arrays.phases, angle_places[sun], albedo[channel] * (eye_depth + sun_depth));
@@ -256,11 +271,10 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
 }
 
 __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int volume_count,
-                          __global const float *restrict density, __global const float *restrict depths,
-                          __global const int *restrict blocks, __global const float *restrict sources,
+                          __global const uint *restrict cells, __global const int *restrict blocks, __global const float *restrict sources,
                           __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-                          __global const CloudLightParams *restrict lights, __global const float *restrict phases,
-                          __global const float *restrict noise, __global const float *restrict scene_depth, CloudImageParams params,
+                          __global const CloudLightParams *restrict lights, __global const uint *restrict phases,
+                          __global const uint *restrict noise, __global const float *restrict scene_depth, CloudImageParams params,
                           __global float *restrict image, __global float *restrict distance_m) {
   int left, bottom, right, top;
   set_own_pixels(params, &left, &bottom, &right, &top);
@@ -280,7 +294,7 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
         const CloudScattering look = looks[volume.cloud];
         __global const CloudLightParams *lit_by = lights + volume.cloud;
         const MarchedArrays arrays = {
-            density + slot * CLOUD_MARCH_CELLS, depths + slot * lit_by->sun_count * CLOUD_MARCH_CELLS,
+            cells + slot * (1 + lit_by->sun_count) * CLOUD_MARCH_CELLS,
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
             noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VECTORS * 4};
         March march;

@@ -2,7 +2,7 @@
 // along the axis that the light crosses fastest, mixed between the middles of four cells of the plane before. Other clouds before this one add theirs where the light enters.
 // In:  the volume, density; grids, looks, lights [clouds]; of light_entry.cl entries, which count where there are several
 //      clouds.
-// Out: depths [slots][suns][CLOUD_MARCH_CELLS], of these.
+// Out: depths [suns][CLOUD_MARCH_CELLS], of these.
 // One work-group of GROUP_SIZE a sun.
 #include "clouds/march/march_entry.clh"
 
@@ -12,8 +12,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam
     __global const float *restrict entries, int clouds, int channels, __global float *restrict depths) {
   const int sun = 1 + (int)get_group_id(0), suns = 1 + (int)get_num_groups(0), item = (int)get_local_id(0);
   const CloudLightSource source = lights[volume.cloud].suns[sun];
-  density += (size_t)volume.slot * CLOUD_MARCH_CELLS;
-  depths += ((size_t)volume.slot * suns + sun) * CLOUD_MARCH_CELLS;
+  depths += (size_t)sun * CLOUD_MARCH_CELLS;
 
   const float3 way = -in_volume(volume, (float3)(source.x, source.y, source.z)), speed = fabs(way);
   const int axis = speed.x > speed.y ? (speed.x > speed.z ? 0 : 2) : (speed.y > speed.z ? 1 : 2);

@@ -1,7 +1,7 @@
 // Extinction of each cell of a volume: sums of the particles' balls of density h (C1). A work-item
 // owns a plane of cells and takes particles in their order, so that sums round alike on all devices.
 // In:  particles first ... end - 1 of one cloud; its volume. Global size: planes along z, or more.
-// Out: density [slots][CLOUD_MARCH_CELLS], 1/m.
+// Out: density [CLOUD_MARCH_CELLS], 1/m.
 #include "clouds/chord.clh"
 #include "clouds/march/march_volume.clh"
 #include "simd/lane_masks.clh"
@@ -10,7 +10,7 @@ __kernel void march_density(__global const CloudParticle *restrict particles, in
                             const CloudMarchVolume volume, __global float *restrict density) {
   const int z = (int)get_global_id(0);
   if (z >= volume.size_z) return;
-  __global float *plane = density + (size_t)volume.slot * CLOUD_MARCH_CELLS + (size_t)z * volume.size_y * volume.size_x;
+  __global float *plane = density + (size_t)z * volume.size_y * volume.size_x;
   for (int i = 0; i < volume.size_x * volume.size_y; i += LANES) store_lanes((lanes)0.0f, plane + i);
   const float a_metre = 1.0f / volume.cell_m, middle_z = (float)z + 0.5f;
   for (int i = first; i < end; ++i) {

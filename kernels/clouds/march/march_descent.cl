@@ -2,7 +2,7 @@
 // before this one add theirs where the light enters. A work-item owns rows of cells along x.
 // In:  the volume, density; grids, looks, lights [clouds]; of light_entry.cl entries, which count where there are several
 //      clouds. Global size: rows along y, or more.
-// Out: depths [slots][suns][CLOUD_MARCH_CELLS], of the first.
+// Out: depths [suns][CLOUD_MARCH_CELLS], of the first.
 #include "clouds/march/march_entry.clh"
 #include "simd/lane_masks.clh"
 
@@ -13,8 +13,8 @@ __kernel void march_descent(const CloudMarchVolume volume, __global const float 
   const int y = (int)get_global_id(0), plane = volume.size_x * volume.size_y;
   if (y >= volume.size_y) return;
   const MarchEntry entry = march_entry(volume, grids, looks, lights, entries, suns, channels, 0);
-  density += (size_t)volume.slot * CLOUD_MARCH_CELLS + y * volume.size_x;
-  depths += (size_t)volume.slot * suns * CLOUD_MARCH_CELLS + y * volume.size_x;
+  density += y * volume.size_x;
+  depths += y * volume.size_x;
   for (int x = 0; x < volume.size_x; x += LANES) {
     float before[LANES];
     for (int lane = 0; lane < LANES; ++lane)
