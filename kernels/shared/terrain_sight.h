@@ -8,6 +8,10 @@
 #define SIGHT_UNDECIDED 1
 #define SIGHT_VISIBLE 255
 
+// Up to a share of the last line's distance, 1 / SIGHT_FINE_PARTS, the wedges of terrain/horizon_sweep.cl are so
+// many times as wide: it takes as many parts of LANES - 1 wedges a work-item.
+#define SIGHT_FINE_PARTS 4
+
 // An eye and the targets that it may see.
 typedef struct {
   int cell_x, cell_z;                    // the eye is at cell + fraction
@@ -17,11 +21,10 @@ typedef struct {
   float target_above_m;                  // the ground, of every target
   float bend_x_m, bend_z_m;              // how far the Earth falls away at a cell's distance along x, along z
   float radius_share_x, radius_share_z;  // a cell's share of the radius beyond which all is hidden, squared
-  float highest_m;                       // no target is above
 } TerrainSight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainSight) == 52, "no padding");
+static_assert(sizeof(TerrainSight) == 48, "no padding");
 #endif
 
 #endif

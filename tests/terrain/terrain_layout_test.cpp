@@ -57,9 +57,9 @@ TEST(TerrainLayoutTest, TerrainLight) {
 TEST(TerrainLayoutTest, TerrainSight) {
   using S = TerrainSight;
   EXPECT_EQ(layout_of("shared/terrain_sight.h", "TerrainSight",
-                      {"cell_x", "eye_above_m", "bend_x_m", "radius_share_z", "highest_m"}),
+                      {"cell_x", "eye_above_m", "bend_x_m", "radius_share_z"}),
             (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, eye_above_m), offsetof(S, bend_x_m),
-                    offsetof(S, radius_share_z), offsetof(S, highest_m)}));
+                    offsetof(S, radius_share_z)}));
 }
 
 TEST(TerrainLayoutTest, TerrainLook) {

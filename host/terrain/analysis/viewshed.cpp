@@ -46,30 +46,6 @@ double terrain_m(const HeightField& field, double x, double z) {
   return std::lerp(edge_m(row), edge_m(row + 1), z - row);
 }
 
-TerrainSight device_sight(const HeightField& field, const ViewshedParameters& parameters) {
-  const PostGrid& grid = field.grid();
-  const double x = on_lattice((parameters.observer_x_m - grid.origin_x_m) / grid.spacing_x_m);
-  const double z = on_lattice((parameters.observer_z_m - grid.origin_z_m) / grid.spacing_z_m);
-  const double eye_m = terrain_m(field, x, z) + parameters.observer_height_m;
-  const auto eye_float_m = static_cast<float>(eye_m);
-  const double bend_perm = parameters.curve.bend_perm(), radius_m = parameters.radius_m;
-  const auto squared = [](double value) { return static_cast<float>(value * value); };
-  return {.cell_x = static_cast<int>(x),
-          .cell_z = static_cast<int>(z),
-          .fraction_x = static_cast<float>(x - std::floor(x)),
-          .fraction_z = static_cast<float>(z - std::floor(z)),
-          .eye_m = eye_float_m,
-          .eye_rest_m = static_cast<float>(eye_m - static_cast<double>(eye_float_m)),
-          .eye_above_m = static_cast<float>(parameters.observer_height_m),
-          .target_above_m = static_cast<float>(parameters.target_height_m),
-          .bend_x_m = static_cast<float>(bend_perm * grid.spacing_x_m * grid.spacing_x_m),
-          .bend_z_m = static_cast<float>(bend_perm * grid.spacing_z_m * grid.spacing_z_m),
-          .radius_share_x = squared(grid.spacing_x_m / radius_m),
-          .radius_share_z = squared(grid.spacing_z_m / radius_m),
-          .highest_m = std::nextafter(static_cast<float>(field.highest_m() + parameters.target_height_m),
-                                      std::numeric_limits<float>::infinity())};
-}
-
 }  // namespace
 
 void require_valid(const ViewshedParameters& parameters, const PostGrid& grid) {
@@ -100,21 +76,47 @@ Viewshed::Viewshed(const ocl::Device& device)
   }
 }
 
-void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters,
-                  ocl::Buffer<std::uint8_t>& seen) const {
+TerrainSight Viewshed::sight_from(const HeightField& field, const ViewshedParameters& parameters) {
   const PostGrid& grid = field.grid();
   require_valid(parameters, grid);
+  const double x = on_lattice((parameters.observer_x_m - grid.origin_x_m) / grid.spacing_x_m);
+  const double z = on_lattice((parameters.observer_z_m - grid.origin_z_m) / grid.spacing_z_m);
+  const double eye_m = terrain_m(field, x, z) + parameters.observer_height_m;
+  const auto eye_float_m = static_cast<float>(eye_m);
+  const double bend_perm = parameters.curve.bend_perm(), radius_m = parameters.radius_m;
+  const auto squared = [](double value) { return static_cast<float>(value * value); };
+  return {.cell_x = static_cast<int>(x),
+          .cell_z = static_cast<int>(z),
+          .fraction_x = static_cast<float>(x - std::floor(x)),
+          .fraction_z = static_cast<float>(z - std::floor(z)),
+          .eye_m = eye_float_m,
+          .eye_rest_m = static_cast<float>(eye_m - static_cast<double>(eye_float_m)),
+          .eye_above_m = static_cast<float>(parameters.observer_height_m),
+          .target_above_m = static_cast<float>(parameters.target_height_m),
+          .bend_x_m = static_cast<float>(bend_perm * grid.spacing_x_m * grid.spacing_x_m),
+          .bend_z_m = static_cast<float>(bend_perm * grid.spacing_z_m * grid.spacing_z_m),
+          .radius_share_x = squared(grid.spacing_x_m / radius_m),
+          .radius_share_z = squared(grid.spacing_z_m / radius_m)};
+}
+
+void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters,
+                  ocl::Buffer<std::uint8_t>& seen) const {
+  at(field, sight_from(field, parameters), seen);
+}
+
+void Viewshed::at(const HeightField& field, const TerrainSight& sight,
+                  ocl::Buffer<std::uint8_t>& seen) const {
+  const PostGrid& grid = field.grid();
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   require_room("viewshed", columns * rows, seen.size());
   seen.fill(SIGHT_UNDECIDED);
-  const TerrainSight sight = device_sight(field, parameters);
   const bool is_simd = rays_.shape == ocl::KernelShape::simd;
   if (is_simd) {
     // Rays a line of posts, and two aside.
     const std::size_t wedges = std::max(columns, rows) + 2,
-                      wedges_each = static_cast<std::size_t>(rays_.lanes) - 1;
+                      wedges_each = SIGHT_FINE_PARTS * (static_cast<std::size_t>(rays_.lanes) - 1);
     sweep_.launch({{wedges / wedges_each + 1, octants}, {rays_.group}}, field.heights_m(),
-                  field.device_field(CastMethod::parity), sight, seen);
+                  field.pyramid().maxima_m(), field.device_field(CastMethod::parity), sight, seen);
   }
   // Few lines are left of a row, which fill vectors only together.
   const std::size_t columns_each = is_simd ? columns : 1;

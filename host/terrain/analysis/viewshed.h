@@ -9,6 +9,7 @@
 #include "host/ocl/tuning.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/field/height_field.h"
+#include "kernels/shared/terrain_sight.h"
 
 namespace offing::terrain {
 
@@ -39,6 +40,11 @@ class Viewshed {
   /// Error(bad_usage) if the buffer holds fewer.
   void at(const HeightField& field, const ViewshedParameters& parameters,
           ocl::Buffer<std::uint8_t>& seen) const;
+
+  /// The same in two steps: the first reads the ground below the eye, and so waits for what is queued; the
+  /// second only enqueues.
+  static TerrainSight sight_from(const HeightField& field, const ViewshedParameters& parameters);
+  void at(const HeightField& field, const TerrainSight& sight, ocl::Buffer<std::uint8_t>& seen) const;
 
  private:
   ocl::KernelTuning rays_;
