@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -30,6 +31,7 @@
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/scene/prepare/stored_terrain.h"
+#include "host/terrain/analysis/many_viewsheds.h"
 #include "host/terrain/analysis/needed_height.h"
 #include "host/terrain/analysis/sight_counts.h"
 #include "host/terrain/analysis/sight_limits.h"
@@ -65,13 +67,6 @@ struct TerrainViewshedArguments {
   SettingOptions<ViewshedSettings> more;
   bool json = false;
   Existing existing = Existing::keep;
-};
-
-/// An observer, as the map has it.
-struct Observer {
-  terrain::ViewshedParameters parameters;
-  terrain::SightLimits limits;
-  std::string name;  ///< the flag, the line or the feature
 };
 
 std::vector<scene::Row<terrain::ViewshedParameters>> viewshed_rows() {
@@ -163,16 +158,22 @@ QuestionColumns observer_columns() {
           {{.prefix = "", .x = 0, .z = 1}}};
 }
 
-/// The observers of a command, and the file that they come from.
+/// The observers of a command, as the map has them, and the file that they come from.
 struct Observers {
-  std::vector<Observer> all;
+  std::vector<terrain::Observer> all;
+  std::vector<std::string> names;      ///< the flag, the lines or the features
   std::unique_ptr<QuestionFile> file;  // null for --observer
   QuestionBlock block;
+
+  void add(terrain::Observer observer, std::string name) {
+    all.push_back(std::move(observer));
+    names.push_back(std::move(name));
+  }
 };
 
-Observer observer_of(const terrain::ViewshedParameters& parameters, const ViewshedSettings& settings,
-                     const glm::dvec2& place_m, std::string name) {
-  Observer observer{parameters, settings.limits(), std::move(name)};
+terrain::Observer observer_of(const terrain::ViewshedParameters& parameters, const ViewshedSettings& settings,
+                              const glm::dvec2& place_m) {
+  terrain::Observer observer{parameters, settings.limits()};
   observer.parameters.observer_x_m = place_m.x;
   observer.parameters.observer_z_m = place_m.y;
   return observer;
@@ -198,9 +199,10 @@ Observers read_observers(const TerrainViewshedArguments& arguments, const MapFra
                                .spacing_z_m = map.spacing_z_m};
   for (std::size_t i = 0; i < block.count; ++i) {
     const glm::dvec2 place_m(block.rows[2 * i], block.rows[2 * i + 1]);
-    Observer observer = observer_of(parameters, settings, place_m, block.place_of(i));
-    require_within(observer.name, grid.spacing_x_m * (grid.columns - 1), grid.spacing_z_m * (grid.rows - 1),
-                   place_m.x, place_m.y);
+    terrain::Observer observer = observer_of(parameters, settings, place_m);
+    const std::string name = block.place_of(i);
+    require_within(name, grid.spacing_x_m * (grid.columns - 1), grid.spacing_z_m * (grid.rows - 1), place_m.x,
+                   place_m.y);
     const std::array values{&observer.parameters.observer_height_m,
                             &observer.parameters.target_height_m,
                             &observer.parameters.radius_m,
@@ -217,19 +219,19 @@ Observers read_observers(const TerrainViewshedArguments& arguments, const MapFra
       terrain::require_valid(observer.parameters, grid);
       terrain::require_valid(observer.limits);
     } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("{}: {}", observer.name, error.what()), error.hint());
+      throw Error(error.kind(), fmt::format("{}: {}", name, error.what()), error.hint());
     }
-    observers.all.push_back(std::move(observer));
+    observers.add(observer, name);
   }
   return observers;
 }
 
 /// The posts of a store that are within the radii of all observers.
 SeenMap read_near(const TerrainViewshedArguments& arguments, const TileStore& store,
-                  const std::vector<Observer>& observers) {
+                  const std::vector<terrain::Observer>& observers) {
   const TileStoreHeader& header = store.header();
   int left = header.shape.columns, top = header.shape.rows, right = 0, bottom = 0;
-  for (const Observer& observer : observers) {
+  for (const terrain::Observer& observer : observers) {
     const terrain::ViewshedParameters& at = observer.parameters;
     const scene::PostWindow near =
         scene::window_around(header, at.observer_x_m, at.observer_z_m, at.radius_m);
@@ -255,43 +257,38 @@ SeenMap read_near(const TerrainViewshedArguments& arguments, const TileStore& st
           window.first_row * header.spacing_z_m};
 }
 
-/// Looks from one place after the other over a map.
+/// Looks from places over a map.
 class Looking {
  public:
-  Looking(const SeenMap& seen_map, const ocl::Device& device)
-      : map_(seen_map.map),
-        first_x_m_(seen_map.first_x_m),
-        first_z_m_(seen_map.first_z_m),
-        field_(make_field(map_, device)),
-        viewshed_(device),
-        buffer_(device, map_.heights_m.size(), "viewshed"),
-        seen_(map_.heights_m.size()) {}
-
-  /// What an observer sees, [rows][columns]: 255 seen, 0 hidden, 128 where the map has a void, and `outside`
-  /// beyond the radius and the angles. Valid until the next call.
-  std::vector<std::uint8_t>& from(const Observer& observer, std::uint8_t outside) {
-    terrain::ViewshedParameters parameters = observer.parameters;
-    parameters.observer_x_m -= first_x_m_;
-    parameters.observer_z_m -= first_z_m_;
-    viewshed_.at(field_, parameters, buffer_);
-    buffer_.read(seen_);
-    terrain::mark_outside(field_.grid(), map_.heights_m, parameters, observer.limits, outside, seen_);
-    for (std::size_t i = 0; i < map_.is_void.size(); ++i) {
-      if (map_.is_void[i] != 0) seen_[i] = of_void;
+  Looking(const SeenMap& seen_map, const std::vector<terrain::Observer>& observers, const ocl::Device& device)
+      : map_(seen_map.map), device_(device), observers_(observers), field_(make_field(map_, device)) {
+    for (terrain::Observer& observer : observers_) {
+      observer.parameters.observer_x_m -= seen_map.first_x_m;
+      observer.parameters.observer_z_m -= seen_map.first_z_m;
     }
-    return seen_;
+  }
+
+  /// Calls take(index, seen) for each observer, [rows][columns]: 255 seen, 0 hidden, 128 where the map has a
+  /// void, and `outside` beyond the radius and the angles.
+  void from_each(std::uint8_t outside,
+                 const std::function<void(std::size_t, std::span<const std::uint8_t>)>& take) const {
+    terrain::look_from_each(device_, field_, map_.heights_m, observers_, outside,
+                            [&](std::size_t observer, std::span<std::uint8_t> seen) {
+                              for (std::size_t i = 0; i < map_.is_void.size(); ++i) {
+                                if (map_.is_void[i] != 0) seen[i] = of_void;
+                              }
+                              take(observer, seen);
+                            });
   }
 
   /// How high above each post a target must be for an observer to see it, m; NaN beyond the radius and the
   /// angles.
-  std::vector<float> needed_m(const Observer& observer, const CancelToken& cancel) const {
-    terrain::ViewshedParameters parameters = observer.parameters;
-    parameters.observer_x_m -= first_x_m_;
-    parameters.observer_z_m -= first_z_m_;
-    std::vector<float> needed = terrain::needed_heights(map_, parameters, cancel);
+  std::vector<float> needed_m(std::size_t index, const CancelToken& cancel) const {
+    const terrain::Observer& observer = observers_[index];
+    std::vector<float> needed = terrain::needed_heights(map_, observer.parameters, cancel);
     std::vector<std::uint8_t> marks(needed.size(), 0);
-    terrain::mark_outside(field_.grid(), map_.heights_m, parameters, observer.limits, terrain::sight_outside,
-                          marks);
+    terrain::mark_outside(field_.grid(), map_.heights_m, observer.parameters, observer.limits,
+                          terrain::sight_outside, marks);
     for (std::size_t i = 0; i < needed.size(); ++i) {
       if (marks[i] != 0) needed[i] = std::numeric_limits<float>::quiet_NaN();
     }
@@ -300,11 +297,9 @@ class Looking {
 
  private:
   const HeightMap& map_;
-  double first_x_m_, first_z_m_;
+  ocl::Device device_;
+  std::vector<terrain::Observer> observers_;
   terrain::HeightField field_;
-  terrain::Viewshed viewshed_;
-  ocl::Buffer<std::uint8_t> buffer_;
-  std::vector<std::uint8_t> seen_;
 };
 
 double area_m2(const HeightMap& map, std::size_t posts) {
@@ -355,25 +350,29 @@ class NeededRaster {
 };
 
 void look_from_one(const TerrainViewshedArguments& arguments, const ViewshedSettings& settings,
-                   const Observer& observer, const SeenMap& seen_map, const ocl::Device& device,
+                   const Observers& observers, const SeenMap& seen_map, const ocl::Device& device,
                    const GlobalOptions& options) {
   const HeightMap& map = seen_map.map;
-  const terrain::TerrainPoint terrain = terrain_under("--observer", terrain::posts_of(map),
-                                                      observer.parameters.observer_x_m - seen_map.first_x_m,
-                                                      observer.parameters.observer_z_m - seen_map.first_z_m);
-  Looking looking(seen_map, device);
+  const terrain::ViewshedParameters& parameters = observers.all.front().parameters;
+  const terrain::TerrainPoint terrain =
+      terrain_under("--observer", terrain::posts_of(map), parameters.observer_x_m - seen_map.first_x_m,
+                    parameters.observer_z_m - seen_map.first_z_m);
+  const Looking looking(seen_map, observers.all, device);
   options.cancel.throw_if_cancelled();
   const bool marks_outside = settings.outside == OutsidePosts::nodata;
-  const std::vector<std::uint8_t>& seen = looking.from(observer, marks_outside ? terrain::sight_outside : 0);
+  std::vector<std::uint8_t> seen;
+  looking.from_each(
+      marks_outside ? terrain::sight_outside : 0,
+      [&](std::size_t, std::span<const std::uint8_t> found) { seen.assign(found.begin(), found.end()); });
   options.cancel.throw_if_cancelled();
   if (!arguments.needed.empty()) {
     NeededRaster needed(map);
-    needed.add(looking.needed_m(observer, options.cancel));
+    needed.add(looking.needed_m(0, options.cancel));
     needed.write(arguments.needed, arguments.existing);
   }
   write_seen(arguments.output, map, seen, marks_outside || !map.is_void.empty(), arguments.existing);
   const auto seen_posts = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), visible));
-  const double eye_m = terrain.height_m + observer.parameters.observer_height_m;
+  const double eye_m = terrain.height_m + parameters.observer_height_m;
   if (arguments.json) {
     print_json({{"file", arguments.output},
                 {"columns", map.columns},
@@ -447,15 +446,15 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
   const bool keeps_each = settings.best > 0 || !arguments.shares.empty();
   if (keeps_each) terrain::require_room(map.heights_m.size(), observers.all.size());
   terrain::SightCounts counts(map.heights_m.size(), keeps_each);
-  Looking looking(seen_map, device);
+  const Looking looking(seen_map, observers.all, device);
   Progress progress(static_cast<int>(observers.all.size()), "viewsheds", options.verbosity);
   NeededRaster needed(map);
-  for (const Observer& observer : observers.all) {
+  looking.from_each(terrain::sight_outside, [&](std::size_t observer, std::span<const std::uint8_t> seen) {
     options.cancel.throw_if_cancelled();
-    counts.add(looking.from(observer, terrain::sight_outside));
+    counts.add(seen);
     if (!arguments.needed.empty()) needed.add(looking.needed_m(observer, options.cancel));
     progress.advance();
-  }
+  });
   terrain::BestObservers best;
   if (settings.best > 0)
     best = terrain::best_observers(counts.each(), static_cast<std::size_t>(settings.best), options.cancel);
@@ -477,7 +476,7 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
       json["best_exhaustive"] = best.is_exhaustive;
       for (std::size_t i = 0; i < best.observers.size(); ++i) {
         json["best"].push_back({{"observer", best.observers[i] + 1},
-                                {"place", observers.all[best.observers[i]].name},
+                                {"place", observers.names[best.observers[i]]},
                                 {"seen_posts", best.seen_posts[i]}});
       }
     }
@@ -487,7 +486,7 @@ void look_from_all(const TerrainViewshedArguments& arguments, const ViewshedSett
   print_summary("{}: {} observers see {} of {} posts, {:.4g} km^2\n", one_line(arguments.output),
                 counts.observers(), seen_posts, map.heights_m.size(), 1e-6 * area_m2(map, seen_posts));
   for (std::size_t i = 0; i < best.observers.size(); ++i) {
-    fmt::print("best {}: {}, together {} posts\n", i + 1, observers.all[best.observers[i]].name,
+    fmt::print("best {}: {}, together {} posts\n", i + 1, observers.names[best.observers[i]],
                best.seen_posts[i]);
   }
 }
@@ -538,14 +537,14 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
         PlaceSystem(frame, arguments.places.system()).within_map("--observer", given.place);
     require_within("--observer", frame.spacing_x_m * (frame.columns - 1),
                    frame.spacing_z_m * (frame.rows - 1), place_m.x, place_m.y);
-    observers.all.push_back(observer_of(parameters, settings, place_m, "--observer"));
+    observers.add(observer_of(parameters, settings, place_m), "--observer");
   } else {
     observers = read_observers(arguments, frame, parameters, settings);
   }
   if (store) seen_map = read_near(arguments, *store, observers.all);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   if (arguments.points.empty()) {
-    look_from_one(arguments, settings, observers.all.front(), seen_map, device, options);
+    look_from_one(arguments, settings, observers, seen_map, device, options);
   } else {
     look_from_all(arguments, settings, observers, seen_map, frame, device, options);
   }

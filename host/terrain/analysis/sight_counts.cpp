@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -17,6 +18,7 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 constexpr std::size_t bits_a_word = 64;
+constexpr std::size_t most_in_a_byte = 255;
 // Each choice that a search begins keeps the bits of what it sees.
 constexpr double most_choices = 5000.0, most_begun = 50'000.0;
 constexpr double most_bytes = 8.0 * (1 << 30);
@@ -94,6 +96,29 @@ struct Search {
   }
 };
 
+/// A bit a post: whether its byte is SIGHT_VISIBLE, all of whose bits are set.
+Bits bits_of(std::span<const std::uint8_t> seen) {
+  static_assert(SIGHT_VISIBLE == 0xff);
+  constexpr std::size_t bytes_a_step = 8;
+  constexpr std::uint64_t low_bits = 0x0101010101010101, to_top = 0x0102040810204080;
+  Bits bits((seen.size() + bits_a_word - 1) / bits_a_word);
+  std::size_t post = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    for (; post + bytes_a_step <= seen.size(); post += bytes_a_step) {
+      std::uint64_t bytes;
+      std::memcpy(&bytes, seen.data() + post, sizeof bytes);
+      bytes &= bytes >> 4;
+      bytes &= bytes >> 2;
+      bytes &= bytes >> 1;
+      // The lowest bits of bytes side by side, in the highest byte.
+      bits[post / bits_a_word] |= (bytes & low_bits) * to_top >> 56 << post % bits_a_word;
+    }
+  }
+  for (; post < seen.size(); ++post)
+    bits[post / bits_a_word] |= std::uint64_t{seen[post] == SIGHT_VISIBLE ? 1u : 0u} << post % bits_a_word;
+  return bits;
+}
+
 double choices_of(std::size_t all, std::size_t count) {
   double choices = 1.0;
   for (std::size_t i = 0; i < std::min(count, all - count); ++i)
@@ -112,21 +137,29 @@ void SightCounts::add(std::span<const std::uint8_t> seen) {
                 fmt::format("viewshed: expected at most {} observers, found more", most_observers),
                 "cut them into several files");
   }
-  // A loop each, which compilers turn into vectors.
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    counts_[i] = static_cast<std::uint16_t>(counts_[i] + (seen[i] == SIGHT_VISIBLE ? 1 : 0));
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    is_reached_[i] = static_cast<std::uint8_t>(is_reached_[i] | (seen[i] != sight_outside ? 1 : 0));
-  const auto seen_posts =
-      static_cast<std::size_t>(std::count(seen.begin(), seen.end(), std::uint8_t{SIGHT_VISIBLE}));
-  const auto outside_posts = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), sight_outside));
+  std::size_t seen_posts = 0, outside_posts = 0;
+  // Few enough at a time for sums in bytes: compilers turn such loops into vectors.
+  for (std::size_t from = 0; from < counts_.size(); from += most_in_a_byte) {
+    const std::size_t count = std::min(most_in_a_byte, counts_.size() - from);
+    const std::uint8_t* const here = seen.data() + from;
+    std::uint16_t* const counts = counts_.data() + from;
+    std::uint8_t* const is_reached = is_reached_.data() + from;
+    std::uint8_t seen_here = 0, outside_here = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint8_t is_seen = here[i] == SIGHT_VISIBLE ? 1 : 0,
+                         is_out = here[i] == sight_outside ? 1 : 0;
+      seen_here = static_cast<std::uint8_t>(seen_here + is_seen);
+      outside_here = static_cast<std::uint8_t>(outside_here + is_out);
+      is_reached[i] = static_cast<std::uint8_t>(is_reached[i] | (is_out ^ 1));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      counts[i] = static_cast<std::uint16_t>(counts[i] + (here[i] == SIGHT_VISIBLE ? 1 : 0));
+    seen_posts += seen_here;
+    outside_posts += outside_here;
+  }
   seen_posts_.push_back(seen_posts);
   reached_posts_.push_back(counts_.size() - outside_posts);
-  if (!keeps_each_) return;
-  Bits bits((counts_.size() + bits_a_word - 1) / bits_a_word);
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    bits[i / bits_a_word] |= std::uint64_t{seen[i] == SIGHT_VISIBLE ? 1u : 0u} << i % bits_a_word;
-  each_.push_back(std::move(bits));
+  if (keeps_each_) each_.push_back(bits_of(seen));
 }
 
 std::size_t SightCounts::union_posts() const {

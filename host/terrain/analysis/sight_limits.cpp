@@ -105,25 +105,45 @@ void mark_outside(const PostGrid& grid, std::span<const float> heights_m,
   const double lowest = std::tan(limits.lowest_rad), highest = std::tan(limits.highest_rad);
   const double radius_squared = parameters.radius_m * parameters.radius_m,
                bend_perm = parameters.curve.bend_perm();
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto is_within = [&](double east_m, double south_m, float height_m, bool is_seen) {
+    const double plan_squared = east_m * east_m + south_m * south_m;
+    // The kernel rounds the radius: what it found visible is within.
+    if (has_radius && plan_squared > radius_squared && !is_seen) return false;
+    if (!sector.has({east_m, south_m})) return false;
+    if (!has_heights) return true;
+    const double rise_m =
+        static_cast<double>(height_m) + parameters.target_height_m - eye_m - bend_perm * plan_squared;
+    const double plan_m = std::sqrt(plan_squared);
+    // Straight up and down is no multiple of the way in plan.
+    return (!has_lowest || rise_m >= lowest * plan_m) && (!has_highest || rise_m <= highest * plan_m);
+  };
+  const bool has_only_radius = sector.is_whole() && !has_heights;
   for (int row = 0; row < grid.rows; ++row) {
     const double south_m = row * grid.spacing_z_m - z_m;
-    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
-    for (int column = 0; column < grid.columns; ++column) {
-      const double east_m = column * grid.spacing_x_m - x_m;
-      const double plan_squared = east_m * east_m + south_m * south_m;
-      const std::size_t post = first + static_cast<std::size_t>(column);
-      // The kernel rounds the radius: what it found visible is within.
-      const bool is_far = has_radius && plan_squared > radius_squared && seen[post] != SIGHT_VISIBLE;
-      bool is_within = !is_far && sector.has({east_m, south_m});
-      if (is_within && has_heights) {
-        const double rise_m = static_cast<double>(heights_m[post]) + parameters.target_height_m - eye_m -
-                              bend_perm * plan_squared;
-        const double plan_m = std::sqrt(plan_squared);
-        // Straight up and down is no multiple of the way in plan.
-        is_within =
-            (!has_lowest || rise_m >= lowest * plan_m) && (!has_highest || rise_m <= highest * plan_m);
-      }
-      if (!is_within) seen[post] = outside;
+    const std::size_t begin = static_cast<std::size_t>(row) * columns;
+    const std::span<std::uint8_t> of_row = seen.subspan(begin, columns);
+    // Columns that may be within the radius: some more, so that no rounding matters.
+    int first = 0, end = grid.columns;
+    if (has_radius) {
+      constexpr double spare = 2.0;
+      const double reach =
+          std::sqrt(std::max(radius_squared - south_m * south_m, 0.0)) / grid.spacing_x_m + spare;
+      const double middle = x_m / grid.spacing_x_m, last = grid.columns;
+      first = static_cast<int>(std::clamp(middle - reach, 0.0, last));
+      end = static_cast<int>(std::clamp(middle + reach + 1.0, 0.0, last));
+      std::ranges::fill(of_row.first(static_cast<std::size_t>(first)), outside);
+      std::ranges::fill(of_row.subspan(static_cast<std::size_t>(end)), outside);
+    }
+    for (int column = first; column < end; ++column) {
+      // Of a radius alone only the ends of its columns are in doubt.
+      constexpr int in_doubt = 6;
+      if (has_only_radius && column == first + in_doubt) column = std::max(column, end - in_doubt);
+      if (column >= end) break;
+      const auto post = static_cast<std::size_t>(column);
+      if (!is_within(column * grid.spacing_x_m - x_m, south_m, heights_m[begin + post],
+                     of_row[post] == SIGHT_VISIBLE))
+        of_row[post] = outside;
     }
   }
 }

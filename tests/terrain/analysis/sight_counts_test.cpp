@@ -21,10 +21,11 @@ namespace {
 constexpr double degree_rad = std::numbers::pi / 180.0;
 
 /// Random viewsheds of 130 posts, which fill two words of bits and a part of a third.
-std::vector<std::vector<std::uint8_t>> random_viewsheds(std::size_t observers, unsigned seed, double share) {
+std::vector<std::vector<std::uint8_t>> random_viewsheds(std::size_t observers, unsigned seed, double share,
+                                                        std::size_t posts = 130) {
   std::mt19937 random(seed);
   std::bernoulli_distribution sees(share), is_outside(0.1);
-  std::vector<std::vector<std::uint8_t>> viewsheds(observers, std::vector<std::uint8_t>(130));
+  std::vector<std::vector<std::uint8_t>> viewsheds(observers, std::vector<std::uint8_t>(posts));
   for (std::vector<std::uint8_t>& viewshed : viewsheds) {
     for (std::uint8_t& post : viewshed) {
       post = 0;
@@ -80,6 +81,25 @@ TEST(SightCounts, AreSumsOfViewsheds) {
     }
     EXPECT_EQ(counts.counts()[post], seen);
     EXPECT_EQ(counts.is_reached(post), outside < viewsheds.size());
+  }
+}
+
+// Posts are added up 255 at a time and their bits 8 at a time: fails if any is counted twice or left out.
+TEST(SightCounts, HoldForAnyNumberOfPosts) {
+  for (const std::size_t posts : {1, 7, 8, 63, 65, 254, 255, 256, 511, 771}) {
+    for (const double share : {0.3, 1.0}) {
+      const auto viewsheds = random_viewsheds(3, 5, share, posts);
+      const SightCounts counts = counts_of(viewsheds);
+      EXPECT_EQ(counts.union_posts(), seen_by(viewsheds, {0, 1, 2}));
+      for (std::size_t i = 0; i < viewsheds.size(); ++i) {
+        EXPECT_EQ(counts.seen_posts()[i], seen_by(viewsheds, {i})) << posts;
+        EXPECT_EQ(counts.reached_posts()[i],
+                  posts - static_cast<std::size_t>(std::ranges::count(viewsheds[i], sight_outside)))
+            << posts;
+        for (std::size_t post = 0; post < posts; ++post)
+          EXPECT_EQ(counts.each()[i][post / 64] >> post % 64 & 1, viewsheds[i][post] == 255 ? 1u : 0u);
+      }
+    }
   }
 }
 
@@ -209,6 +229,28 @@ TEST(SightLimits, AreAnglesFromTheEye) {
           EXPECT_EQ(seen[post], is_within ? 0 : sight_outside)
               << column << ' ' << row << ", " << from_deg << " to " << to_deg << ", " << lowest_deg << " to "
               << highest_deg;
+        }
+      }
+    }
+  }
+}
+
+// Of a radius alone only some columns of a row are looked at: fails if any post is on the wrong side of it.
+TEST(SightLimits, RadiiAreThoseOfEveryPost) {
+  const PostGrid grid{.columns = 57, .rows = 43, .spacing_x_m = 10.0, .spacing_z_m = 15.0};
+  const std::vector<float> heights_m(57 * 43, 0.0f);
+  for (const auto& [x_m, z_m] :
+       std::vector<std::pair<double, double>>{{0, 0}, {560, 630}, {273.1, 300}, {280, 311.7}, {560, 12}}) {
+    for (const double radius_m : {0.5, 10.0, 15.0, 44.9, 150.0, 298.7, 555.0, 2000.0}) {
+      std::vector<std::uint8_t> seen(heights_m.size(), 0);
+      mark_outside(grid, heights_m, {.observer_x_m = x_m, .observer_z_m = z_m, .radius_m = radius_m}, {},
+                   sight_outside, seen);
+      for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+          const double east_m = 10.0 * column - x_m, south_m = 15.0 * row - z_m;
+          const bool is_far = east_m * east_m + south_m * south_m > radius_m * radius_m;
+          EXPECT_EQ(seen[static_cast<std::size_t>(row * 57 + column)], is_far ? sight_outside : 0)
+              << column << ' ' << row << ' ' << x_m << ' ' << radius_m;
         }
       }
     }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/terrain/analysis/many_viewsheds.h"
 #include "tests/ocl/expect_error.h"
 #include "tests/ocl/scoped_environment.h"
 #include "tests/terrain/analysis/sight_reference.h"
@@ -171,6 +172,96 @@ TEST(ViewshedTest, StopsOnlyWhereAllIsHidden) {
       EXPECT_EQ(open < 700, at.is_closed) << open << " at " << at.eye_m << ' ' << at.radius_m;
     }
   }
+}
+
+/// Seas and lakes with islands, terraces and a plateau, all level, among hills: 301 x 257 posts.
+test::HeightMap waters() {
+  test::HeightMap map{"waters", {.columns = 301, .rows = 257, .spacing_x_m = 10.0, .spacing_z_m = 13.0}, {}};
+  for (int row = 0; row < 257; ++row) {
+    for (int column = 0; column < 301; ++column) {
+      double height_m = 0.0;
+      if (column > 180) height_m = 20.0 + 15.0 * std::sin(0.11 * column) * std::cos(0.07 * row);
+      if (std::hypot(column - 240, row - 90) < 28.0) height_m = 17.0;
+      if (std::hypot(column - 60, row - 200) < 5.0) height_m = 9.0;
+      if (column < 30 && row < 60) height_m = 25.0;
+      if (row > 240) height_m = 3.0 * (column / 25);
+      map.heights_m.push_back(static_cast<float>(height_m));
+    }
+  }
+  return map;
+}
+
+// Level ground below the eye, and nodes below the horizon, are passed over many lines at a time. Fails if a
+// post is not as a walk in double precision has it, or not as walks alone have it: from corners, edges, posts
+// and between them, with the Earth's curve on and off, with targets and radii.
+TEST(ViewshedTest, PassesOverLevelAndHiddenGround) {
+  const test::HeightMap map = waters();
+  constexpr double no_radius = std::numeric_limits<double>::infinity();
+  struct Eye {
+    double x, z, height_m, target_m, radius_m, planet_m;
+  };
+  for (const Eye& eye :
+       {Eye{0, 0, 1.7, 0, no_radius, no_radius}, Eye{300, 256, 30, 0, no_radius, no_radius},
+        Eye{300, 0, 1.7, 2, no_radius, 20'000}, Eye{0, 256, 60, 0, no_radius, 200'000},
+        Eye{100, 100, 1.7, 0, no_radius, no_radius}, Eye{100.3, 100.8, 1.7, 0, no_radius, 20'000},
+        Eye{240, 90, 5, 0, no_radius, no_radius}, Eye{150.5, 80.5, 100, 4, 900, no_radius},
+        Eye{29, 59, 1.7, 0, 1500, 200'000}, Eye{60, 256, 10, 0, no_radius, no_radius},
+        Eye{60, 200, 1e-3, 0, no_radius, no_radius}, Eye{0, 120.25, 1000, 0, no_radius, 20'000}}) {
+    const ViewshedParameters parameters{.observer_x_m = 10.0 * eye.x,
+                                        .observer_z_m = 13.0 * eye.z,
+                                        .observer_height_m = eye.height_m,
+                                        .target_height_m = eye.target_m,
+                                        .radius_m = eye.radius_m,
+                                        .curve = {.radius_m = eye.planet_m, .refraction = 0.13}};
+    const std::vector<std::uint8_t> seen = seen_from(map, parameters);
+    int wrong = 0;
+    for (int row = 0; row < map.grid.rows; ++row) {
+      for (int column = row % 5; column < map.grid.columns; column += 5) {
+        const double plan_m =
+            std::hypot(10.0 * column - parameters.observer_x_m, 13.0 * row - parameters.observer_z_m);
+        const double clearance_m = test::reference_clearance_m(map, parameters, column, row);
+        const bool expected = plan_m <= eye.radius_m && clearance_m >= -1e-6;
+        const bool is_seen = seen[static_cast<std::size_t>(row * map.grid.columns + column)] == visible;
+        if (is_seen != expected && std::abs(clearance_m) > 1e-4) ++wrong;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << eye.x << ' ' << eye.z;
+    const test::ScopedEnvironment shape("OFFING_SHAPE", "workgroup");
+    EXPECT_EQ(seen, seen_from(map, parameters)) << eye.x << ' ' << eye.z;
+  }
+}
+
+// While the host takes what one observer sees, the device looks from the next: fails if any of many differs
+// from a run of its own, if their order does, or if stopping half way ends in anything but the error.
+TEST(ViewshedTest, OfManyAreThoseOfEachAlone) {
+  const test::HeightMap map = waters();
+  const ocl::Device device = ocl::Device::open();
+  const terrain::HeightField field(device, map.grid, map.heights_m);
+  std::vector<terrain::Observer> observers;
+  for (const ViewshedParameters& parameters : example_observers(map.grid))
+    observers.push_back({parameters, {}});
+  observers[3].parameters.radius_m = 700.0;
+  observers[4].limits.azimuth_to_rad = 1.0;
+  std::size_t next = 0;
+  terrain::look_from_each(device, field, map.heights_m, observers, terrain::sight_outside,
+                          [&](std::size_t index, std::span<const std::uint8_t> seen) {
+                            ASSERT_EQ(index, next++);
+                            std::vector<std::uint8_t> alone = seen_from(map, observers[index].parameters);
+                            terrain::mark_outside(map.grid, map.heights_m, observers[index].parameters,
+                                                  observers[index].limits, terrain::sight_outside, alone);
+                            EXPECT_TRUE(std::ranges::equal(seen, alone)) << index;
+                          });
+  EXPECT_EQ(next, observers.size());
+  EXPECT_THROW(terrain::look_from_each(device, field, map.heights_m, observers, 0,
+                                       [](std::size_t index, std::span<const std::uint8_t>) {
+                                         if (index == 2) throw Error(ErrorKind::cancelled, "stopped", "");
+                                       }),
+               Error);
+  observers.back().parameters.observer_x_m = -1.0;
+  test::expect_error(ErrorKind::bad_input, "observer_x_m", [&] {
+    terrain::look_from_each(device, field, map.heights_m, observers, 0,
+                            [](std::size_t, std::span<const std::uint8_t>) { FAIL() << "looked"; });
+  });
 }
 
 // Beyond the wall only what is within the radius counts: a post at exactly that distance does.
