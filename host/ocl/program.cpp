@@ -9,7 +9,7 @@
 #include "host/base/log.h"
 #include "host/ocl/device_state.h"
 #include "host/ocl/opencl.h"
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/program_source.h"
 #include "host/ocl/quirks.h"
 #include "host/ocl/status.h"
@@ -108,7 +108,7 @@ Handle<cl_program> load_or_compile(const detail::DeviceState& device, std::strin
                                    const std::string& source, const std::string& options,
                                    const std::string& identity) {
   const quirks::BuildTurn turn(device.info);
-  const ProgramCache cache;
+  const DiskCache cache;
   if (const auto binary = cache.load(identity)) {
     if (Handle<cl_program> program = load_binary(device, *binary, options)) return program;
     spdlog::warn("{} refuses its cached binary of {}: rebuilding it", device.info.name, source_name);

@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "host/base/host_memory.h"
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/private_folder.h"
-#include "host/ocl/program_cache.h"
 
 namespace offing::ocl::quirks {
 namespace {
@@ -66,7 +66,7 @@ fs::path pocl_cache_folder() {
 // own cache, else in the temporary directory.
 void give_pocl_a_cache() {
   if (variable("POCL_CACHE_DIR") != nullptr || can_write(pocl_cache_folder())) return;
-  const fs::path own = ProgramCache::default_folder();
+  const fs::path own = DiskCache::default_folder();
   fs::path folder = own.empty() ? fs::path() : own / "pocl";
   if (folder.empty() || !make_private_folder(folder).empty()) folder = private_temporary_folder();
   if (!folder.empty()) setenv("POCL_CACHE_DIR", folder.c_str(), 1);

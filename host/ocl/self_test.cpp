@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/program_source.h"
 #include "host/ocl/quirks.h"
 
@@ -16,17 +16,6 @@ namespace {
 // Of one byte each. The number in the identity rises when a self-test changes.
 constexpr std::uint8_t passed = 1, failed = 0;
 constexpr std::string_view version = "self-test 1";
-
-std::string identity_of(const DeviceInfo& info, std::span<const ProgramRecipe> programs) {
-  std::string identity =
-      joined_identity({version, quirks::build_options(info), quirks::source_preamble(info)}) +
-      driver_identity(info);
-  for (const ProgramRecipe& program : programs) {
-    identity += joined_identity({assemble_source(program.source_name)});
-    for (const auto& [name, value] : program.defines.values()) identity += joined_identity({name, value});
-  }
-  return identity;
-}
 
 // What this process found or read, by the name of the cache's entry, which is a hash of the identity.
 struct KnownResults {
@@ -41,10 +30,20 @@ KnownResults& known_results() {
 
 }  // namespace
 
+std::string identity_of(const DeviceInfo& info, std::span<const ProgramRecipe> programs) {
+  std::string identity =
+      joined_identity({quirks::build_options(info), quirks::source_preamble(info)}) + driver_identity(info);
+  for (const ProgramRecipe& program : programs) {
+    identity += joined_identity({assemble_source(program.source_name)});
+    for (const auto& [name, value] : program.defines.values()) identity += joined_identity({name, value});
+  }
+  return identity;
+}
+
 bool passes_self_test(const Device& device, std::span<const ProgramRecipe> programs,
                       const std::function<bool()>& test) {
-  const std::string identity = identity_of(device.info(), programs);
-  const ProgramCache cache;
+  const std::string identity = joined_identity({version}) + identity_of(device.info(), programs);
+  const DiskCache cache;
   const std::string key = cache.entry_path(identity).string();
   KnownResults& known = known_results();
   {

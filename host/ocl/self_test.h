@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "host/ocl/device.h"
@@ -15,9 +16,12 @@ struct ProgramRecipe {
   Defines defines;
 };
 
+/// All that shapes what programs compute on a device: their text and options, the device and its driver.
+std::string identity_of(const DeviceInfo& info, std::span<const ProgramRecipe> programs);
+
 /// Whether these programs compute on this device what they should. `test` says so; it runs once for each
 /// device, driver version and text of the programs. Its result is kept beside the compiled programs (see
-/// ProgramCache), and in memory for this process.
+/// DiskCache), and in memory for this process.
 bool passes_self_test(const Device& device, std::span<const ProgramRecipe> programs,
                       const std::function<bool()>& test);
 

@@ -11,7 +11,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 #include "tests/fuzz/expect.h"
 #include "tests/fuzz/input_file.h"
 
@@ -35,8 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using offing::fuzz::expect;
   if (size < 4) return -1;  // do not keep it
   static const offing::fuzz::InputFile entry(
-      offing::ocl::ProgramCache().entry_path(identity).filename().string());
-  static const offing::ocl::ProgramCache cache(entry.folder());
+      offing::ocl::DiskCache().entry_path(identity).filename().string());
+  static const offing::ocl::DiskCache cache(entry.folder());
   if (data[0] % 2 == 1) {
     entry.hold({data + 1, size - 1});
     const auto found = cache.load(identity);

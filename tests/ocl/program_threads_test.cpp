@@ -12,7 +12,7 @@
 #include "host/base/error.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/quirks.h"
 #include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"
@@ -46,7 +46,7 @@ void on_threads(Work work) {
 // bytes are the number of the thread that stored it.
 TEST(ProgramThreads, ReplaceOneCacheEntry) {
   const TemporaryFolder folder;
-  const ProgramCache cache(folder.path() / "cache");
+  const DiskCache cache(folder.path() / "cache");
   std::atomic<int> broken{0};
   on_threads([&](int thread) {
     for (int round = 0; round < 50; ++round) {
@@ -61,7 +61,7 @@ TEST(ProgramThreads, ReplaceOneCacheEntry) {
 // Fails if the warning that the cache cannot be written stops a thread, or comes once a thread: they race for
 // it. Only one may win, here or in an earlier test of this process.
 TEST(ProgramThreads, SurviveAFolderThatCannotBeMade) {
-  const ProgramCache cache("/dev/null/cache");
+  const DiskCache cache("/dev/null/cache");
   testing::internal::CaptureStdout();
   on_threads([&](int) { cache.store("identity", {1}); });
   const std::string log = testing::internal::GetCapturedStdout();

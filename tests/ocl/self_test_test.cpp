@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 #include "tests/ocl/test_kernels.h"
 
 namespace offing::ocl {

@@ -2,13 +2,20 @@
 #include "host/terrain/shading/open_sky.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <numbers>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/log_capture.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing {
@@ -35,6 +42,51 @@ std::vector<double> shares_of(const test::HeightMap& map) {
     shares.push_back(share / 255.0);
   }
   return shares;
+}
+
+/// Files of shares in a folder.
+std::vector<std::filesystem::path> kept_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> kept;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() == ".sky") kept.push_back(file.path());
+  }
+  return kept;
+}
+
+// Shares of a large map are kept for the next program. Fails if they are not, if they are made again, if those of
+// another map or spacing are taken for them, if a damaged file is taken or not replaced, or if an empty
+// OFFING_CACHE_DIR keeps any.
+TEST(OpenSkyTest, SharesAreKept) {
+  TemporaryFolder folder;
+  const test::ScopedEnvironment cache("OFFING_CACHE_DIR", folder.path().string());
+  const auto hills = [](double spacing_m, double height_m) {
+    return made({.columns = 301, .rows = 257, .spacing_x_m = spacing_m, .spacing_z_m = spacing_m},
+                [&](int column, int row) { return height_m * std::sin(0.2 * column) * std::cos(0.15 * row); });
+  };
+  const std::vector<double> shares = shares_of(hills(10.0, 40.0));
+  ASSERT_EQ(kept_in(folder.path()).size(), 1u);
+  const std::filesystem::path file = kept_in(folder.path()).front();
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(50);
+  std::filesystem::last_write_time(file, long_ago);
+  EXPECT_EQ(shares_of(hills(10.0, 40.0)), shares);
+  // A read marks the file as used, a write would replace it by one of another inode; both make it young.
+  EXPECT_GT(std::filesystem::last_write_time(file), long_ago);
+  EXPECT_NE(shares_of(hills(10.0, 50.0)), shares);
+  EXPECT_NE(shares_of(hills(20.0, 40.0)), shares);
+  EXPECT_EQ(kept_in(folder.path()).size(), 3u);
+  {
+    std::fstream damaged(file, std::ios::binary | std::ios::in | std::ios::out);
+    damaged.seekp(1000);
+    damaged.write("damage", 6);
+  }
+  const test::LogCapture log;
+  EXPECT_EQ(shares_of(hills(10.0, 40.0)), shares);
+  EXPECT_THAT(log.text(), testing::HasSubstr("is damaged: rebuilding it"));
+  EXPECT_EQ(shares_of(hills(10.0, 40.0)), shares);
+  EXPECT_EQ(log.lines(), 1u) << log.text();
+  const test::ScopedEnvironment off("OFFING_CACHE_DIR", "");
+  EXPECT_EQ(shares_of(hills(10.0, 60.0)).size(), shares.size());
+  EXPECT_EQ(kept_in(folder.path()).size(), 3u);
 }
 
 // Nothing stands in front of flat ground, nor of a slope, whose own plane is no obstacle. Fails if the ground

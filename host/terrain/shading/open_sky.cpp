@@ -1,15 +1,36 @@
 #include "host/terrain/shading/open_sky.h"
 
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/program.h"
+#include "host/ocl/self_test.h"
 #include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 namespace {
 
 constexpr long long most_shares = 1'100'000;
+// Fewer are made as fast as they are read.
+constexpr std::size_t least_kept_shares = 1 << 16;
+constexpr ocl::CacheKind sky_maps{"sky", "sky map", 256'000'000};
 
 int count_of(int posts, int stride) {
   return (posts - 1 + stride - 1) / stride + 1;
+}
+
+/// All that shapes the shares.
+std::string identity_of_shares(const ocl::Device& device, const HeightField& field,
+                               const ocl::ProgramRecipe& program, int stride) {
+  const auto heights_m = field.heights_m().map();
+  const TerrainField layout = field.device_field(CastMethod::parity);
+  return ocl::identity_of(device.info(), std::span(&program, 1)) +
+         ocl::joined_identity({ocl::identity_of_bytes(std::as_bytes(heights_m.span())),
+                               ocl::identity_of_bytes(std::as_bytes(std::span(&layout, 1))),
+                               std::to_string(stride)});
 }
 
 }  // namespace
@@ -25,12 +46,24 @@ OpenSky::OpenSky(const ocl::Device& device, const HeightField& field) {
   shares_ = ocl::Buffer<std::uint8_t>(
       device, static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), "shares of the sky");
   const ocl::KernelTuning rays = ray_tuning(device);
-  ocl::Program::build(device, "terrain/open_sky.cl",
-                      ocl::Defines().set("LANES", rays.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
+  const ocl::ProgramRecipe program{
+      "terrain/open_sky.cl", ocl::Defines().set("LANES", rays.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT)};
+  const ocl::DiskCache cache(ocl::DiskCache::default_folder(), sky_maps);
+  const bool is_kept = cache.is_on() && shares_.size() >= least_kept_shares;
+  const std::string identity = is_kept ? identity_of_shares(device, field, program, stride_) : std::string();
+  if (is_kept) {
+    const std::optional<std::vector<std::uint8_t>> kept = cache.load(identity);
+    if (kept && kept->size() == shares_.size()) {
+      shares_.write(*kept);
+      return;
+    }
+  }
+  ocl::Program::build(device, program.source_name, program.defines)
       .kernel("open_sky")
       .launch(ocl::launch_shape(rays, static_cast<std::size_t>(columns_), static_cast<std::size_t>(rows_)),
               field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity), stride_,
               columns_, shares_);
+  if (is_kept) cache.store(identity, shares_.read());
 }
 
 void OpenSky::describe(TerrainLook& look) const {

@@ -11,10 +11,12 @@ namespace offing::terrain {
 
 /// How much of the sky's light the ground lets through to each of its posts (ambient occlusion by horizons;
 /// Max 1988, Horizon mapping), made once a height field: pictures interpolate it, which costs them a
-/// hundredth of what walks for every pixel would.
+/// hundredth of what walks for every pixel would. Shares are kept in the folder of compiled programs
+/// (DiskCache), 256 MB at most, so that the next program that draws the same map on this device reads them.
 class OpenSky {
  public:
-  /// Enqueues. Of maps of more than 1.1 million posts, every second, fourth ... post gets a share of its own.
+  /// Enqueues, or reads what is kept; what it makes itself it waits for and keeps. Of maps of more than 1.1
+  /// million posts, every second, fourth ... post gets a share of its own.
   OpenSky(const ocl::Device& device, const HeightField& field);
 
   /// [rows][columns], 255 for all the light that the post's own slope gets from an open sky.

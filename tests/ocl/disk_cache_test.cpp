@@ -1,4 +1,4 @@
-#include "host/ocl/program_cache.h"
+#include "host/ocl/disk_cache.h"
 
 #include <fstream>
 #include <future>
@@ -39,30 +39,30 @@ void replace(const fs::path& path, const std::string& content) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
-class ProgramCacheTest : public ::testing::Test {
+class DiskCacheTest : public ::testing::Test {
  protected:
-  ProgramCacheTest() { cache_.store("identity", binary_); }
+  DiskCacheTest() { cache_.store("identity", binary_); }
 
   TemporaryFolder folder_;
-  ProgramCache cache_{folder_.path() / "nested" / "cache"};
+  DiskCache cache_{folder_.path() / "nested" / "cache"};
   const Binary binary_{1, 2, 3, 0, 255, 7};
   const fs::path entry_ = cache_.entry_path("identity");
   LogCapture log_;
 };
 
-TEST_F(ProgramCacheTest, ReturnsWhatWasStored) {
+TEST_F(DiskCacheTest, ReturnsWhatWasStored) {
   EXPECT_THAT(cache_.load("identity"), Optional(binary_));
   EXPECT_EQ(cache_.load("another identity"), std::nullopt);
   EXPECT_EQ(log_.lines(), 0u) << log_.text();
 }
 
-TEST_F(ProgramCacheTest, ReplacesAnEntry) {
+TEST_F(DiskCacheTest, ReplacesAnEntry) {
   cache_.store("identity", {9, 9});
   EXPECT_THAT(cache_.load("identity"), Optional(Binary{9, 9}));
 }
 
 // Fails if a temporary file stays behind: the folder would grow with each start.
-TEST_F(ProgramCacheTest, LeavesNothingButEntries) {
+TEST_F(DiskCacheTest, LeavesNothingButEntries) {
   std::size_t files = 0;
   for (const auto& file : fs::directory_iterator(entry_.parent_path())) files += file.is_regular_file();
   EXPECT_EQ(files, 1u);
@@ -70,7 +70,7 @@ TEST_F(ProgramCacheTest, LeavesNothingButEntries) {
 
 // Fails if the halves that killed processes leave pile up, or if one that may still be written goes, or a
 // stranger's file.
-TEST_F(ProgramCacheTest, RemovesOldHalves) {
+TEST_F(DiskCacheTest, RemovesOldHalves) {
   const auto now = fs::file_time_type::clock::now();
   const auto leave = [&](const fs::path& path, std::chrono::minutes age) {
     replace(path, "half");
@@ -89,7 +89,32 @@ TEST_F(ProgramCacheTest, RemovesOldHalves) {
   EXPECT_TRUE(fs::exists(old_entry));
 }
 
-TEST_F(ProgramCacheTest, DetectsEveryTruncation) {
+// Of a kind with a limit, those entries go that were not used for longest, and no file of another kind. Fails if
+// the folder grows beyond the limit, or if the newest entry or one that was just read goes.
+TEST_F(DiskCacheTest, KeepsWhatWasUsedLast) {
+  const DiskCache maps(entry_.parent_path(), {"sky", "sky map", 2500});
+  const Binary thousand(1000, 7);  // with its header 1040 bytes: two fit
+  const auto used_before = [&](const char* identity, std::chrono::minutes age) {
+    fs::last_write_time(maps.entry_path(identity), fs::file_time_type::clock::now() - age);
+  };
+  maps.store("a", thousand);
+  used_before("a", std::chrono::minutes(30));
+  maps.store("b", thousand);
+  used_before("b", std::chrono::minutes(20));
+  EXPECT_THAT(maps.load("a"), Optional(thousand));
+  maps.store("c", thousand);
+  EXPECT_THAT(maps.load("a"), Optional(thousand));
+  EXPECT_EQ(maps.load("b"), std::nullopt);
+  EXPECT_THAT(maps.load("c"), Optional(thousand));
+  maps.store("large", Binary(5000, 1));
+  EXPECT_THAT(maps.load("large"), Optional(Binary(5000, 1)));
+  EXPECT_EQ(maps.load("a"), std::nullopt);
+  EXPECT_THAT(cache_.load("identity"), Optional(binary_));
+  EXPECT_EQ(cache_.load("a"), std::nullopt);
+  EXPECT_EQ(log_.lines(), 0u) << log_.text();
+}
+
+TEST_F(DiskCacheTest, DetectsEveryTruncation) {
   const std::string whole = content_of(entry_);
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
     replace(entry_, whole.substr(0, bytes));
@@ -99,7 +124,7 @@ TEST_F(ProgramCacheTest, DetectsEveryTruncation) {
   EXPECT_THAT(log_.text(), HasSubstr("is damaged: rebuilding it"));
 }
 
-TEST_F(ProgramCacheTest, DetectsEveryFlippedBit) {
+TEST_F(DiskCacheTest, DetectsEveryFlippedBit) {
   const std::string whole = content_of(entry_);
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string damaged = whole;
@@ -109,7 +134,7 @@ TEST_F(ProgramCacheTest, DetectsEveryFlippedBit) {
   }
 }
 
-TEST_F(ProgramCacheTest, DetectsGarbageAndAppendices) {
+TEST_F(DiskCacheTest, DetectsGarbageAndAppendices) {
   const std::string whole = content_of(entry_);
   for (const std::string& garbage :
        {std::string("text"), std::string(100000, '\xff'), whole + "x", whole + whole}) {
@@ -119,26 +144,26 @@ TEST_F(ProgramCacheTest, DetectsGarbageAndAppendices) {
 }
 
 // A whole entry under the wrong name, as a careless copy leaves it.
-TEST_F(ProgramCacheTest, DetectsAForeignEntry) {
+TEST_F(DiskCacheTest, DetectsAForeignEntry) {
   fs::copy_file(entry_, cache_.entry_path("another identity"));
   EXPECT_EQ(cache_.load("another identity"), std::nullopt);
 }
 
-TEST_F(ProgramCacheTest, SurvivesAFolderInPlaceOfAnEntry) {
+TEST_F(DiskCacheTest, SurvivesAFolderInPlaceOfAnEntry) {
   fs::remove(entry_);
   fs::create_directories(entry_ / "x");
   EXPECT_EQ(cache_.load("identity"), std::nullopt);
   EXPECT_NO_THROW(cache_.store("identity", binary_));
 }
 
-TEST_F(ProgramCacheTest, SurvivesAFolderThatCannotBeMade) {
-  const ProgramCache unwritable("/dev/null/cache");  // refused to root too
+TEST_F(DiskCacheTest, SurvivesAFolderThatCannotBeMade) {
+  const DiskCache unwritable("/dev/null/cache");  // refused to root too
   EXPECT_NO_THROW(unwritable.store("identity", binary_));
   EXPECT_EQ(unwritable.load("identity"), std::nullopt);
 }
 
 // Fails if a program that another user can have put there is loaded, or one is left for them to change.
-TEST_F(ProgramCacheTest, UsesNoFolderOfOtherUsers) {
+TEST_F(DiskCacheTest, UsesNoFolderOfOtherUsers) {
   const fs::path folder = entry_.parent_path();
   const auto expect_unused = [&](const char* what) {
     EXPECT_EQ(cache_.load("identity"), std::nullopt) << what;
@@ -157,17 +182,17 @@ TEST_F(ProgramCacheTest, UsesNoFolderOfOtherUsers) {
 }
 
 // Fails if others may look into a folder that the cache makes, or write in it, whatever the umask.
-TEST_F(ProgramCacheTest, MakesItsFolderForItsOwnerAlone) {
+TEST_F(DiskCacheTest, MakesItsFolderForItsOwnerAlone) {
   const mode_t before = umask(0);
   const fs::path folder = entry_.parent_path() / "deeper" / "cache";
-  ProgramCache(folder).store("identity", binary_);
+  DiskCache(folder).store("identity", binary_);
   umask(before);
   EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
-  EXPECT_THAT(ProgramCache(folder).load("identity"), Optional(binary_));
+  EXPECT_THAT(DiskCache(folder).load("identity"), Optional(binary_));
 }
 
 // Fails if a temporary name that somebody has prepared as a link leads the write to another file.
-TEST_F(ProgramCacheTest, WritesThroughNoLink) {
+TEST_F(DiskCacheTest, WritesThroughNoLink) {
   const fs::path victim = folder_.path() / "victim";
   replace(victim, "mine");
   for (int count = 0; count < 1000; ++count) {
@@ -180,25 +205,25 @@ TEST_F(ProgramCacheTest, WritesThroughNoLink) {
   EXPECT_FALSE(fs::is_symlink(cache_.entry_path("new")));
 }
 
-TEST_F(ProgramCacheTest, CanBeOff) {
-  const ProgramCache off((fs::path()));
+TEST_F(DiskCacheTest, CanBeOff) {
+  const DiskCache off((fs::path()));
   off.store("identity", binary_);
   EXPECT_EQ(off.load("identity"), std::nullopt);
 }
 
-TEST_F(ProgramCacheTest, FindsItsFolder) {
+TEST_F(DiskCacheTest, FindsItsFolder) {
   const test::ScopedEnvironment home("HOME", "/home/sailor");
   const test::ScopedEnvironment xdg("XDG_CACHE_HOME", "");
   const test::ScopedEnvironment own("OFFING_CACHE_DIR", "/own");
-  EXPECT_EQ(ProgramCache::default_folder(), "/own");
+  EXPECT_EQ(DiskCache::default_folder(), "/own");
   setenv("OFFING_CACHE_DIR", "", 1);
-  EXPECT_TRUE(ProgramCache::default_folder().empty());
+  EXPECT_TRUE(DiskCache::default_folder().empty());
   unsetenv("OFFING_CACHE_DIR");
-  EXPECT_EQ(ProgramCache::default_folder(), "/home/sailor/.cache/offing");
+  EXPECT_EQ(DiskCache::default_folder(), "/home/sailor/.cache/offing");
   setenv("XDG_CACHE_HOME", "/xdg", 1);
-  EXPECT_EQ(ProgramCache::default_folder(), "/xdg/offing");
+  EXPECT_EQ(DiskCache::default_folder(), "/xdg/offing");
   setenv("XDG_CACHE_HOME", "relative", 1);
-  EXPECT_EQ(ProgramCache::default_folder(), "/home/sailor/.cache/offing");
+  EXPECT_EQ(DiskCache::default_folder(), "/home/sailor/.cache/offing");
 }
 
 // The same through Program::build, where the driver compiles again.
