@@ -52,6 +52,8 @@ typedef struct OffingScene OffingScene;
 typedef struct OffingWorld OffingWorld;
 /** A height map on a device: the surface of bilinear patches between its posts. */
 typedef struct OffingTerrain OffingTerrain;
+/** The points of a GIS file. They do not change. */
+typedef struct OffingPointFile OffingPointFile;
 /** A triangle mesh. It does not change. */
 typedef struct OffingMesh OffingMesh;
 
@@ -521,6 +523,60 @@ typedef struct OffingViewshed {
  * between posts. For 1e-5 of the posts, rounding may give another result than double precision. */
 OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshed* viewshed, uint8_t* seen,
                                      size_t count);
+
+/** Several observers of a terrain. NULL stands for what the OffingViewshed beside it says. */
+typedef struct OffingObservers {
+  size_t size;                     /**< sizeof(OffingObservers) */
+  size_t count;                    /**< of observers, at most 65000 */
+  const double* points_m;          /**< [count][2], x and z on the map */
+  const double* observer_height_m; /**< [count] or NULL */
+  const double* target_height_m;   /**< [count] or NULL */
+  const double* radius_m;          /**< [count] or NULL; 0: no limit */
+  const double* azimuth_rad;       /**< [count][2] or NULL, where sectors begin and end */
+  const double* elevation_rad;     /**< [count][2] or NULL, lowest and highest lines of sight */
+} OffingObservers;
+/** Where offing_count_viewsheds() writes. */
+typedef struct OffingSightCounts {
+  size_t size;             /**< sizeof(OffingSightCounts) */
+  uint16_t* counts;        /**< [rows][columns], observers that see the post */
+  uint8_t* is_reached;     /**< [rows][columns], 1 within the radius and angles of any observer, else 0 */
+  uint64_t* seen_posts;    /**< [observers], posts that each sees */
+  uint64_t* reached_posts; /**< [observers], posts within its radius and angles */
+  uint64_t* only_posts;    /**< [observers], posts that no other observer sees */
+  size_t best_count;       /**< observers to choose that together see the most, at most all; 0: none */
+  size_t* best;            /**< [best_count], indices of observers; each adds the most to those before it */
+  uint64_t* best_posts;    /**< [best_count], posts that the first see, the first two, and so on */
+  int* is_best_exhaustive; /**< 1: all choices were compared; 0: the next best one was added each time */
+} OffingSightCounts;
+/** Counts which posts several observers see. An observer alone sees what offing_compute_viewshed() writes.
+ * `viewshed` has what the observers share; its own place is not used. `count` must be rows * columns.
+ * `progress` may be NULL. `only_posts` and `best` take a bit for each post and observer, 8 GiB at most. */
+OffingStatus offing_count_viewsheds(OffingTerrain* terrain, const OffingViewshed* viewshed,
+                                    const OffingObservers* observers, const OffingSightCounts* counts,
+                                    size_t count, const OffingProgress* progress);
+
+/** What is known about the points of a GIS file. Texts are valid until the points are freed. */
+typedef struct OffingPointFileInfo {
+  size_t size;                   /**< sizeof(OffingPointFileInfo) */
+  size_t count;                  /**< of points */
+  size_t attribute_count;        /**< of each point */
+  const char* coordinate_system; /**< as offing_places_to_terrain() takes it; "" if the layer names none */
+  const char* layer;             /**< its name */
+} OffingPointFileInfo;
+/** Reads the points of a GeoPackage (.gpkg) or GeoJSON (.geojson, .json). NULL or "" is the only layer. */
+OffingStatus offing_open_point_file(const char* file, const char* layer, OffingPointFile** points);
+/** Frees the points. */
+void offing_free_point_file(OffingPointFile* points);
+/** Writes what is known about the points. */
+OffingStatus offing_get_point_file_info(const OffingPointFile* points, OffingPointFileInfo* info);
+/** The name of an attribute; "" if there is none. Valid until the points are freed. */
+const char* offing_point_attribute_name(const OffingPointFile* points, size_t attribute);
+/** Reads the places [count][2] of all points, east before north, and their z [count]; NaN: no z. Either may
+ * be NULL. `count` must be that of the points. offing_places_to_terrain() converts the places. */
+OffingStatus offing_read_point_file(const OffingPointFile* points, double* places, double* z, size_t count);
+/** Reads an attribute of all points as numbers [count]; NaN: none, or a text. */
+OffingStatus offing_read_point_attribute(const OffingPointFile* points, const char* name, double* values,
+                                         size_t count);
 
 /* Floating bodies of a world: the [[body]] sections of its scene, in order. Body axes are x forward, y up,
  * z to starboard, with the origin in the mass centre. */

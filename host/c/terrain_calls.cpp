@@ -12,10 +12,13 @@
 
 #include "host/c/arrays.h"
 #include "host/c/handles.h"
+#include "host/c/watched_work.h"
 #include "host/io/height_maps/map_coordinates.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/terrain/analysis/line_of_sight.h"
+#include "host/terrain/analysis/many_viewsheds.h"
+#include "host/terrain/analysis/sight_counts.h"
 #include "host/terrain/analysis/sight_limits.h"
 #include "host/terrain/analysis/viewshed.h"
 
@@ -181,6 +184,71 @@ EarthCurve curve_of(double earth_radius_m, double refraction) {
   curve.refraction = refraction;
   offing::terrain::require_valid(curve);
   return curve;
+}
+
+offing::terrain::ViewshedParameters parameters_of(const OffingViewshed& asked) {
+  return {.observer_x_m = asked.observer_x_m,
+          .observer_z_m = asked.observer_z_m,
+          .observer_height_m = asked.observer_height_m,
+          .target_height_m = asked.target_height_m,
+          .radius_m = asked.radius_m == 0.0 ? no_limit : asked.radius_m,
+          .curve = curve_of(asked.earth_radius_m, asked.refraction)};
+}
+
+/// Errors name the observer by its index.
+std::vector<offing::terrain::Observer> observers_of(const offing::terrain::PostGrid& grid,
+                                                    const OffingViewshed& shared,
+                                                    const OffingObservers& given) {
+  if (given.count > offing::terrain::most_observers) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("observers: expected a count of at most {}, got {}",
+                            offing::terrain::most_observers, given.count),
+                "cut them into several calls and add the counts");
+  }
+  std::vector<offing::terrain::Observer> observers;
+  observers.reserve(given.count);
+  for (std::size_t i = 0; i < given.count; ++i) {
+    OffingViewshed asked = shared;
+    asked.observer_x_m = given.points_m[2 * i];
+    asked.observer_z_m = given.points_m[2 * i + 1];
+    if (given.observer_height_m != nullptr) asked.observer_height_m = given.observer_height_m[i];
+    if (given.target_height_m != nullptr) asked.target_height_m = given.target_height_m[i];
+    if (given.radius_m != nullptr) asked.radius_m = given.radius_m[i];
+    if (given.azimuth_rad != nullptr) {
+      asked.azimuth_from_rad = given.azimuth_rad[2 * i];
+      asked.azimuth_to_rad = given.azimuth_rad[2 * i + 1];
+    }
+    if (given.elevation_rad != nullptr) {
+      asked.lowest_rad = given.elevation_rad[2 * i];
+      asked.highest_rad = given.elevation_rad[2 * i + 1];
+    }
+    try {
+      observers.push_back({parameters_of(asked), limits_of(asked)});
+      offing::terrain::require_valid(observers.back().parameters, grid);
+    } catch (const Error& error) {
+      throw Error(error.kind(), fmt::format("observers[{}]: {}", i, error.what()), error.hint());
+    }
+  }
+  return observers;
+}
+
+void write_counts(const OffingSightCounts& wanted, const offing::terrain::SightCounts& found,
+                  const offing::CancelToken& cancel) {
+  const auto write_each = [](std::uint64_t* target, const std::vector<std::size_t>& values) {
+    if (target != nullptr) std::copy(values.begin(), values.end(), target);
+  };
+  if (wanted.counts != nullptr) std::ranges::copy(found.counts(), wanted.counts);
+  for (std::size_t post = 0; wanted.is_reached != nullptr && post < found.counts().size(); ++post)
+    wanted.is_reached[post] = found.is_reached(post) ? 1 : 0;
+  write_each(wanted.seen_posts, found.seen_posts());
+  write_each(wanted.reached_posts, found.reached_posts());
+  if (wanted.only_posts != nullptr) write_each(wanted.only_posts, found.only_posts());
+  if (wanted.best_count == 0) return;
+  const offing::terrain::BestObservers best =
+      offing::terrain::best_observers(found.each(), wanted.best_count, cancel);
+  if (wanted.best != nullptr) std::ranges::copy(best.observers, wanted.best);
+  write_each(wanted.best_posts, best.seen_posts);
+  if (wanted.is_best_exhaustive != nullptr) *wanted.is_best_exhaustive = best.is_exhaustive ? 1 : 0;
 }
 
 offing::terrain::HitNormals normals_of(const OffingTerrainQuery& query) {
@@ -406,13 +474,7 @@ OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshe
     require(seen, "seen");
     const OffingViewshed asked = offing::c::read_struct(viewshed, "viewshed");
     offing::c::require_count("count", count, terrain->post_count());
-    const offing::terrain::ViewshedParameters parameters{
-        .observer_x_m = asked.observer_x_m,
-        .observer_z_m = asked.observer_z_m,
-        .observer_height_m = asked.observer_height_m,
-        .target_height_m = asked.target_height_m,
-        .radius_m = asked.radius_m == 0.0 ? no_limit : asked.radius_m,
-        .curve = curve_of(asked.earth_radius_m, asked.refraction)};
+    const offing::terrain::ViewshedParameters parameters = parameters_of(asked);
     offing::terrain::require_valid(parameters, terrain->field.grid());
     const offing::terrain::SightLimits limits = limits_of(asked);
     if (!terrain->viewshed) terrain->viewshed.emplace(terrain->device);
@@ -421,5 +483,39 @@ OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshe
     found.read(std::span(seen, count));
     offing::terrain::mark_outside(terrain->field.grid(), terrain->file.map.heights_m, parameters, limits, 0,
                                   std::span(seen, count));
+  });
+}
+
+OffingStatus offing_count_viewsheds(OffingTerrain* terrain, const OffingViewshed* viewshed,
+                                    const OffingObservers* observers, const OffingSightCounts* counts,
+                                    size_t count, const OffingProgress* progress) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    require(viewshed, "viewshed");
+    require(observers, "observers");
+    require(counts, "counts");
+    const OffingObservers given = offing::c::read_struct(observers, "observers");
+    const OffingSightCounts wanted = offing::c::read_struct(counts, "counts");
+    offing::c::require_count("count", count, terrain->post_count());
+    if (given.count > 0) require(given.points_m, "observers.points_m");
+    if (wanted.best_count > given.count) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("counts.best_count: expected at most the {} observers, got {}", given.count,
+                              wanted.best_count),
+                  "ask for fewer");
+    }
+    const std::vector<offing::terrain::Observer> all =
+        observers_of(terrain->field.grid(), offing::c::read_struct(viewshed, "viewshed"), given);
+    const bool keeps_each = wanted.best_count > 0 || wanted.only_posts != nullptr;
+    if (keeps_each) offing::terrain::require_room(count, all.size());
+    const offing::c::WatchedWork watched(progress);
+    offing::terrain::SightCounts found(count, keeps_each);
+    offing::terrain::look_from_each(
+        terrain->device, terrain->field, terrain->file.map.heights_m, all, offing::terrain::sight_outside,
+        [&](std::size_t observer, std::span<const std::uint8_t> seen) {
+          found.add(seen);
+          watched.work().tell(static_cast<double>(observer + 1) / static_cast<double>(all.size()));
+        });
+    write_counts(wanted, found, watched.cancel());
   });
 }

@@ -44,6 +44,33 @@ class SightLines(NamedTuple):
     hidden_by_m: np.ndarray  # [n, 3], the place of that ground; NaN: visible
 
 
+class SightCounts(NamedTuple):
+    """What several observers see."""
+
+    counts: np.ndarray  # uint16 [rows, columns], observers that see the post
+    is_reached: np.ndarray  # bool [rows, columns], within the radius and angles of any observer
+    seen_posts: np.ndarray  # [n], posts that each observer sees
+    reached_posts: np.ndarray  # [n], posts within its radius and angles
+    only_posts: np.ndarray  # [n], posts that no other observer sees
+    best: np.ndarray  # [k], indices of the observers that together see the most; each adds the most to those before it
+    best_posts: np.ndarray  # [k], posts that the first see, the first two, and so on
+    is_best_exhaustive: bool  # all choices were compared; False: the next best one was added each time
+
+
+class Points(NamedTuple):
+    """Points of a GIS file."""
+
+    places: np.ndarray  # [n, 2], east before north
+    z: np.ndarray  # [n], NaN where a point has none
+    coordinate_system: str  # of the places, as Terrain.to_local() takes it; "" where the file names none
+    attributes: dict[str, np.ndarray]  # [n] each, NaN for texts and where a point has none
+
+
+def read_points(file: str | os.PathLike, layer: str = "") -> Points:
+    """The Points of a GeoPackage (.gpkg) or GeoJSON (.geojson, .json); `layer` chooses one of several."""
+    return Points(*_core.read_points(file, layer))
+
+
 class Terrain:
     """A height map on a device: the surface of bilinear patches between its posts. The north-west post is at x = z = 0.
     Use a terrain in one thread at a time; a second one gets Busy.
@@ -127,14 +154,32 @@ class Terrain:
         """The posts that are visible from a place, as bool [rows, columns]. Heights are above ground. Nothing is visible
         beyond radius_m, unless it is 0. azimuth_deg is the sector, clockwise from north from the first to the second, and
         elevation_deg the lowest and highest line of sight."""
-        for name, angles, every in (("azimuth_deg", azimuth_deg, (0, 360)), ("elevation_deg", elevation_deg, (-90, 90))):
-            # The C interface takes two zeros for no limit.
-            if len(angles) == 2 and not any(angles):
-                raise BadInput(f"{name}: expected two angles, got two zeros", f"pass {name}={every} for no limit")
+        _require_angles("azimuth_deg", azimuth_deg, (0, 360))
+        _require_angles("elevation_deg", elevation_deg, (-90, 90))
         azimuth_rad = tuple(math.radians(angle) for angle in azimuth_deg)
         elevation_rad = tuple(math.radians(angle) for angle in elevation_deg)
         return self._terrain.viewshed(x_m, z_m, observer_height_m, target_height_m, radius_m, earth_radius_m, refraction,
                                       azimuth_rad, elevation_rad)
+
+    def count_viewsheds(self, points_m: npt.ArrayLike, *, observer_height_m: npt.ArrayLike = 1.7,
+                        target_height_m: npt.ArrayLike = 0.0, radius_m: npt.ArrayLike = 0.0, earth_radius_m: float = 0.0,
+                        refraction: float = 0.13, azimuth_deg: npt.ArrayLike = (0.0, 360.0),
+                        elevation_deg: npt.ArrayLike = (-90.0, 90.0), best: int = 0, progress=None) -> SightCounts:
+        """The SightCounts of observers at points [n, 2] of x and z in m. The other values are those of viewshed(), for all
+        observers or for each: [n] numbers, [n, 2] angles. `best` is how many observers to choose. progress(share) is called
+        as the work goes on and stops it by returning False."""
+        points_m = rows("points_m", points_m, 2)
+        count = len(points_m)
+        settings = np.empty((count, 7))
+        for i, (name, values) in enumerate((("observer_height_m", observer_height_m), ("target_height_m", target_height_m),
+                                            ("radius_m", radius_m))):
+            settings[:, i] = _of_each(name, values, (count,))
+        for i, name, angles, every in ((3, "azimuth_deg", azimuth_deg, (0, 360)),
+                                       (5, "elevation_deg", elevation_deg, (-90, 90))):
+            settings[:, i:i + 2] = np.radians(_of_each(name, angles, (count, 2)))
+            for pair in settings[:, i:i + 2]:
+                _require_angles(name, pair, every)
+        return SightCounts(*self._terrain.count_viewsheds(points_m, settings, earth_radius_m, refraction, best, progress))
 
     def to_local(self, places: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
         """Places [n, 2] of a coordinate system as x and z in m on the map. crs is "map" (the map's own coordinates), "lonlat"
@@ -149,3 +194,18 @@ class Terrain:
     def __repr__(self):
         count_of_rows, columns = self.shape
         return f"<offing.Terrain {columns} x {count_of_rows} posts on {self.device!r}>"
+
+
+def _require_angles(name, angles, every):
+    # The C interface takes two zeros for no limit.
+    if len(angles) == 2 and not any(angles):
+        raise BadInput(f"{name}: expected two angles, got two zeros", f"pass {name}={every} for no limit")
+
+
+def _of_each(name, values, shape):
+    """Values for all observers, or for each, as an array of this shape."""
+    try:
+        return np.broadcast_to(np.asarray(values, dtype=np.float64), shape)
+    except ValueError as error:
+        raise BadInput(f"{name}: expected values for all observers or an array {list(shape)}, got one of shape "
+                       f"{np.shape(values)}", "give one value for each point") from error

@@ -1,7 +1,9 @@
 // Terrain: height maps, rays, lines of sight and viewsheds.
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "handles.h"
 #include <nanobind/stl/filesystem.h>
@@ -185,6 +187,49 @@ class Terrain {
     return seen;
   }
 
+  /// (counts, is_reached, seen_posts, reached_posts, only_posts, best, best_posts, is_best_exhaustive); each
+  /// row of `settings` is the observer's height, the target's, the radius, two azimuths and two elevations.
+  nb::tuple count_viewsheds(const Rows<2>& points_m, const Rows<7>& settings, double earth_radius_m,
+                            double refraction, std::size_t best_count, const nb::object& progress) {
+    const auto [rows, columns] = shape();
+    const std::size_t observers = points_m.shape(0);
+    if (settings.shape(0) != observers) throw nb::value_error("settings: expected a row for each point");
+    auto counts = new_array<std::uint16_t>({rows, columns});
+    auto reached = new_array<bool>({rows, columns});
+    auto seen_posts = new_array<std::uint64_t>({observers}),
+         reached_posts = new_array<std::uint64_t>({observers}),
+         only_posts = new_array<std::uint64_t>({observers});
+    auto best = new_array<std::uint64_t>({best_count}), best_posts = new_array<std::uint64_t>({best_count});
+    std::vector<std::size_t> best_observers(best_count);
+    int is_exhaustive = 0;
+    std::vector<double> observer_height_m, target_height_m, radius_m, azimuth_rad, elevation_rad;
+    for (std::size_t i = 0; i < observers; ++i) {
+      observer_height_m.push_back(settings(i, 0));
+      target_height_m.push_back(settings(i, 1));
+      radius_m.push_back(settings(i, 2));
+      azimuth_rad.insert(azimuth_rad.end(), {settings(i, 3), settings(i, 4)});
+      elevation_rad.insert(elevation_rad.end(), {settings(i, 5), settings(i, 6)});
+    }
+    const OffingObservers given{
+        sizeof given,           observers,       points_m.data(),    observer_height_m.data(),
+        target_height_m.data(), radius_m.data(), azimuth_rad.data(), elevation_rad.data()};
+    const OffingSightCounts wanted{
+        sizeof wanted,     counts.data(),         reinterpret_cast<std::uint8_t*>(reached.data()),
+        seen_posts.data(), reached_posts.data(),  only_posts.data(),
+        best_count,        best_observers.data(), best_posts.data(),
+        &is_exhaustive};
+    OffingViewshed shared{};
+    shared.size = sizeof shared;
+    shared.earth_radius_m = earth_radius_m;
+    shared.refraction = refraction;
+    Watched(progress).run([&](const OffingProgress* watching) {
+      return offing_count_viewsheds(terrain_.get(), &shared, &given, &wanted, rows * columns, watching);
+    });
+    std::copy(best_observers.begin(), best_observers.end(), best.data());
+    return nb::make_tuple(counts, reached, seen_posts, reached_posts, only_posts, best, best_posts,
+                          is_exhaustive != 0);
+  }
+
  private:
   explicit Terrain(OffingTerrain* terrain) : terrain_(terrain) {}
 
@@ -201,6 +246,26 @@ class Terrain {
 
   Owned<OffingTerrain, offing_free_terrain> terrain_;
 };
+
+/// (places [n, 2], z [n], coordinate system, attributes: a dict of names and [n])
+nb::tuple read_points(const std::filesystem::path& file, const std::string& layer) {
+  OffingPointFile* opened = nullptr;
+  run([&] { return offing_open_point_file(file.c_str(), layer.c_str(), &opened); });
+  const Owned<OffingPointFile, offing_free_point_file> points(opened);
+  OffingPointFileInfo info{};
+  info.size = sizeof info;
+  run([&] { return offing_get_point_file_info(points.get(), &info); });
+  auto places = new_array<double>({info.count, 2}), z = new_array<double>({info.count});
+  run([&] { return offing_read_point_file(points.get(), places.data(), z.data(), info.count); });
+  nb::dict attributes;
+  for (std::size_t i = 0; i < info.attribute_count; ++i) {
+    const char* const name = offing_point_attribute_name(points.get(), i);
+    auto values = new_array<double>({info.count});
+    run([&] { return offing_read_point_attribute(points.get(), name, values.data(), info.count); });
+    attributes[name] = values;
+  }
+  return nb::make_tuple(places, z, str_of(info.coordinate_system), attributes);
+}
 
 }  // namespace
 
@@ -219,6 +284,9 @@ void bind_terrain(nb::module_& module) {
            "refraction"_a)
       .def("viewshed", &Terrain::viewshed, "x_m"_a, "z_m"_a, "observer_height_m"_a, "target_height_m"_a,
            "radius_m"_a, "earth_radius_m"_a, "refraction"_a, "azimuth_rad"_a, "elevation_rad"_a)
+      .def("count_viewsheds", &Terrain::count_viewsheds, "points_m"_a, "settings"_a, "earth_radius_m"_a,
+           "refraction"_a, "best_count"_a, "progress"_a.none())
       .def("to_local", &Terrain::to_local, "places"_a, "system"_a)
       .def("from_local", &Terrain::from_local, "places_m"_a, "system"_a);
+  module.def("read_points", &read_points, "file"_a, "layer"_a);
 }

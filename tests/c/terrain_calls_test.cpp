@@ -259,6 +259,135 @@ TEST_F(TerrainCallsTest, LimitsViewsheds) {
   EXPECT_THAT(offing_last_error(), HasSubstr("highest"));
 }
 
+// Fails if counts are not sums of what each observer alone sees, values of one observer are another's, or the
+// best two are not those of all choices.
+TEST_F(TerrainCallsTest, CountsViewsheds) {
+  constexpr std::size_t observer_count = 3;
+  const std::array<double, 2 * observer_count> points_m{57.0, 83.0, 20.0, 10.0, 300.0, 90.0};
+  const std::array<double, observer_count> heights_m{4.0, 1.0, 12.0}, radii_m{0.0, 60.0, 150.0};
+  const std::array<double, 2 * observer_count> azimuths_rad{0.0, 0.0, 1.0, 4.0, 0.0, 2.0};
+  auto shared = sized<OffingViewshed>();
+  shared.target_height_m = 0.5;
+  shared.earth_radius_m = 20000.0;
+  auto observers = sized<OffingObservers>();
+  observers.count = observer_count;
+  observers.points_m = points_m.data();
+  observers.observer_height_m = heights_m.data();
+  observers.radius_m = radii_m.data();
+  observers.azimuth_rad = azimuths_rad.data();
+
+  const std::size_t posts = map_.heights_m.size();
+  std::vector<std::vector<std::uint8_t>> each(observer_count, std::vector<std::uint8_t>(posts));
+  for (std::size_t i = 0; i < observer_count; ++i) {
+    OffingViewshed alone = shared;
+    alone.observer_x_m = points_m[2 * i];
+    alone.observer_z_m = points_m[2 * i + 1];
+    alone.observer_height_m = heights_m[i];
+    alone.radius_m = radii_m[i];
+    alone.azimuth_from_rad = azimuths_rad[2 * i];
+    alone.azimuth_to_rad = azimuths_rad[2 * i + 1];
+    ASSERT_EQ(offing_compute_viewshed(terrain_, &alone, each[i].data(), posts), OFFING_OK)
+        << offing_last_error();
+  }
+
+  std::vector<std::uint16_t> seen_by(posts);
+  std::vector<std::uint8_t> is_reached(posts);
+  std::array<std::uint64_t, observer_count> seen_posts{}, reached_posts{}, only_posts{};
+  std::array<std::size_t, 2> best{};
+  std::array<std::uint64_t, 2> best_posts{};
+  int is_exhaustive = 0;
+  const OffingSightCounts counts{
+      sizeof counts,     seen_by.data(), is_reached.data(), seen_posts.data(), reached_posts.data(),
+      only_posts.data(), best.size(),    best.data(),       best_posts.data(), &is_exhaustive};
+  ASSERT_EQ(offing_count_viewsheds(terrain_, &shared, &observers, &counts, posts, nullptr), OFFING_OK)
+      << offing_last_error();
+  std::array<std::uint64_t, observer_count> due_posts{}, due_only{};
+  for (std::size_t post = 0; post < posts; ++post) {
+    std::uint16_t due = 0;
+    for (const auto& seen : each) due = static_cast<std::uint16_t>(due + (seen[post] == 255 ? 1 : 0));
+    EXPECT_EQ(seen_by[post], due);
+    EXPECT_EQ(is_reached[post], 1);  // the first looks everywhere
+    for (std::size_t i = 0; i < observer_count; ++i) {
+      due_posts[i] += each[i][post] == 255 ? 1 : 0;
+      due_only[i] += each[i][post] == 255 && due == 1 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(seen_posts, due_posts);
+  EXPECT_EQ(only_posts, due_only);
+  EXPECT_EQ(reached_posts[0], posts);
+  EXPECT_LT(reached_posts[1], posts / 2);
+  EXPECT_EQ(is_exhaustive, 1);
+  std::uint64_t together = 0;
+  for (std::size_t post = 0; post < posts; ++post)
+    together += each[best[0]][post] == 255 || each[best[1]][post] == 255 ? 1 : 0;
+  EXPECT_EQ(best_posts[1], together);
+  EXPECT_EQ(best_posts[0], seen_posts[best[0]]);
+}
+
+// Fails if a bad observer is not named, more are chosen than there are, or a callback cannot stop the call.
+TEST_F(TerrainCallsTest, RefusesBadObservers) {
+  const std::array<double, 4> points_m{57.0, 83.0, 20.0, -10.0};
+  auto shared = sized<OffingViewshed>();
+  auto observers = sized<OffingObservers>();
+  observers.count = 2;
+  auto counts = sized<OffingSightCounts>();
+  const std::size_t posts = map_.heights_m.size();
+  const auto call = [&](const OffingProgress* progress) {
+    return offing_count_viewsheds(terrain_, &shared, &observers, &counts, posts, progress);
+  };
+  EXPECT_EQ(call(nullptr), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("points_m"));
+  observers.points_m = points_m.data();
+  EXPECT_EQ(call(nullptr), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("observers[1]: viewshed: observer_z_m"));
+  observers.count = 1;
+  counts.best_count = 2;
+  EXPECT_EQ(call(nullptr), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("best_count"));
+  counts.best_count = 0;
+  OffingProgress progress{sizeof progress, [](void*, double share) { return share > 0.5 ? 1 : 0; }, nullptr};
+  EXPECT_EQ(call(&progress), OFFING_CANCELLED);
+  EXPECT_EQ(call(nullptr), OFFING_OK) << offing_last_error();
+}
+
+// Fails if points are elsewhere than the file says, an attribute is another's, or texts become numbers.
+TEST_F(TerrainCallsTest, ReadsPointFiles) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "wells.geojson").string();
+  std::ofstream(file) << R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"depth_m": 7.5, "rank": 3, "name": "spring"},
+     "geometry": {"type": "Point", "coordinates": [-70.5, -32.25, 12]}},
+    {"type": "Feature", "properties": {"depth_m": null, "rank": 4, "name": "hut"},
+     "geometry": {"type": "Point", "coordinates": [-70.25, -32.5]}}]})";
+  OffingPointFile* points = nullptr;
+  ASSERT_EQ(offing_open_point_file(file.c_str(), nullptr, &points), OFFING_OK) << offing_last_error();
+  auto info = sized<OffingPointFileInfo>();
+  ASSERT_EQ(offing_get_point_file_info(points, &info), OFFING_OK);
+  EXPECT_EQ(info.count, 2u);
+  EXPECT_EQ(info.attribute_count, 3u);
+  EXPECT_STREQ(info.coordinate_system, "lonlat");
+  EXPECT_STREQ(info.layer, "wells");
+  EXPECT_STREQ(offing_point_attribute_name(points, 2), "name");
+  EXPECT_STREQ(offing_point_attribute_name(points, 3), "");
+  std::array<double, 4> places{};
+  std::array<double, 2> z{}, values{};
+  ASSERT_EQ(offing_read_point_file(points, places.data(), z.data(), 2), OFFING_OK) << offing_last_error();
+  EXPECT_THAT(places, testing::ElementsAre(-70.5, -32.25, -70.25, -32.5));
+  EXPECT_THAT(z, testing::ElementsAre(12.0, testing::IsNan()));
+  ASSERT_EQ(offing_read_point_attribute(points, "depth_m", values.data(), 2), OFFING_OK);
+  EXPECT_THAT(values, testing::ElementsAre(7.5, testing::IsNan()));
+  ASSERT_EQ(offing_read_point_attribute(points, "rank", values.data(), 2), OFFING_OK);
+  EXPECT_THAT(values, testing::ElementsAre(3.0, 4.0));
+  ASSERT_EQ(offing_read_point_attribute(points, "name", values.data(), 2), OFFING_OK);
+  EXPECT_THAT(values, testing::Each(testing::IsNan()));
+  EXPECT_EQ(offing_read_point_attribute(points, "width", values.data(), 2), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("wells.geojson"));
+  EXPECT_EQ(offing_read_point_file(points, places.data(), nullptr, 3), OFFING_BAD_INPUT);
+  offing_free_point_file(points);
+  EXPECT_EQ(offing_open_point_file("nowhere.gpkg", nullptr, &points), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("nowhere.gpkg"));
+}
+
 // Fails if places are elsewhere than the file says, or a terrain that lies nowhere has a place in the world.
 TEST_F(TerrainCallsTest, ConvertsPlaces) {
   const TemporaryFolder folder;

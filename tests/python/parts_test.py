@@ -1,5 +1,6 @@
 """Terrain, bodies, clouds and meshes of the Python package, with numpy alone."""
 
+import json
 import os
 import pathlib
 import pickle
@@ -52,6 +53,30 @@ class TerrainTest(unittest.TestCase):
             with self.assertRaisesRegex(offing.BadInput, "two zeros"):
                 self.ridge.viewshed(500.0, 900.0, **nothing)
 
+    # Fails if counts are not sums of single viewsheds, values of observers are mixed up, or a callback cannot stop the call.
+    def test_counts_of_viewsheds(self):
+        points_m, heights_m, radii_m = [[500.0, 900.0], [480.0, 100.0], [40.0, 40.0]], [2.0, 30.0, 1.7], [0.0, 700.0, 60.0]
+        found = self.ridge.count_viewsheds(points_m, observer_height_m=heights_m, radius_m=radii_m, best=2)
+        each = [self.ridge.viewshed(x, z, observer_height_m=height, radius_m=radius)
+                for (x, z), height, radius in zip(points_m, heights_m, radii_m)]
+        np.testing.assert_array_equal(found.counts, np.sum(each, axis=0))
+        np.testing.assert_array_equal(found.seen_posts, [seen.sum() for seen in each])
+        np.testing.assert_array_equal(found.only_posts, [(seen & (found.counts == 1)).sum() for seen in each])
+        self.assertEqual(found.reached_posts[0], found.counts.size)
+        self.assertLess(found.reached_posts[2], 200)
+        self.assertTrue(found.is_reached.all())
+        self.assertTrue(found.is_best_exhaustive)
+        self.assertEqual(found.best_posts[1], (each[found.best[0]] | each[found.best[1]]).sum())
+        south = self.ridge.count_viewsheds(points_m[:1], observer_height_m=2.0, azimuth_deg=(90.0, 270.0))
+        np.testing.assert_array_equal(
+            south.counts, self.ridge.viewshed(500.0, 900.0, observer_height_m=2.0, azimuth_deg=(90.0, 270.0)))
+        with self.assertRaisesRegex(offing.BadInput, r"observers\[1\]: .*observer_x_m"):
+            self.ridge.count_viewsheds([[500.0, 900.0], [-5.0, 0.0]])
+        with self.assertRaisesRegex(offing.BadInput, "radius_m: expected values"):
+            self.ridge.count_viewsheds(points_m, radius_m=[1.0, 2.0])
+        with self.assertRaises(offing.Cancelled):
+            self.ridge.count_viewsheds(points_m, progress=lambda share: share < 0.5)
+
     # Fails if longitude and latitude change places, or the way back leads elsewhere.
     def test_places(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -66,6 +91,19 @@ class TerrainTest(unittest.TestCase):
             np.testing.assert_allclose(terrain.from_local(terrain.to_local(place), "EPSG:4326"), place, atol=1e-9)
             with self.assertRaisesRegex(offing.BadInput, "expected local, map, lonlat"):
                 terrain.to_local(place, "atlantis")
+            wells = pathlib.Path(folder) / "wells.geojson"
+            wells.write_text(json.dumps({"type": "FeatureCollection", "features": [
+                {"type": "Feature", "properties": {"depth_m": depth_m, "name": "spring"},
+                 "geometry": {"type": "Point", "coordinates": place[0]}} for depth_m in (7.5, None)]}))
+            points = offing.read_points(wells)
+            np.testing.assert_array_equal(points.places, place * 2)
+            np.testing.assert_array_equal(points.z, [np.nan] * 2)
+            np.testing.assert_array_equal(points.attributes["depth_m"], [7.5, np.nan])
+            np.testing.assert_array_equal(points.attributes["name"], [np.nan] * 2)
+            np.testing.assert_array_equal(
+                terrain.to_local(points.places, points.coordinate_system), terrain.to_local(place * 2))
+            with self.assertRaisesRegex(offing.BadInput, "nowhere"):
+                offing.read_points(wells.with_name("nowhere.gpkg"))
 
     # Fails if rays straight down miss the ground, or upward ones hit it.
     def test_rays(self):
