@@ -155,7 +155,7 @@ void ResolvedClouds::set(const ocl::Buffer<CloudParticle>& particles, const Part
 
 void ResolvedClouds::reserve(std::size_t slots) {
   const auto suns = static_cast<std::size_t>(light_->fields().suns),
-             vectors = light_->fields().channels == 1 ? std::size_t{1} : std::size_t{2};
+             values = light_->fields().channels == 1 ? std::size_t{3} : std::size_t{6};
   bool is_new = false;
   const auto fit = [&](auto& buffer, std::size_t size, const char* name) {
     if (size <= buffer.size()) return;
@@ -167,9 +167,9 @@ void ResolvedClouds::reserve(std::size_t slots) {
   fit(cells_, slots * (1 + suns) * CLOUD_MARCH_CELLS, "marched clouds' cells");
   fit(blocks_, slots * CLOUD_MARCH_BLOCKS, "blocks of marched clouds");
   fit(volumes_buffer_, slots, "marched clouds");
-  const std::size_t source_cells = slots * vectors * light_grid_cells(light_->fields().cells);
+  const std::size_t source_cells = slots * values * light_grid_cells(light_->fields().cells);
   if (sources_.size() < source_cells)
-    sources_ = ocl::Buffer<std::array<float, 4>>(device_, source_cells, "light of marched clouds");
+    sources_ = ocl::Buffer<std::uint32_t>(device_, source_cells, "light of marched clouds");
   if (noise_.size() == 0)
     noise_ = ocl::Buffer<std::uint32_t>(device_, lump_squares(lump_noise()), "lumps of clouds");
   slots_.resize(std::max(slots_.size(), slots));

@@ -89,9 +89,8 @@ class ResolvedClouds {
   ocl::Buffer<CloudMarchVolume> volumes_buffer_;
   ocl::Buffer<float> shares_;
   ocl::Buffer<float> density_, depths_;  // of the volume that is made
-  ocl::Buffer<std::uint32_t> cells_, phases_, noise_;
+  ocl::Buffer<std::uint32_t> cells_, phases_, sources_, noise_;
   ocl::Buffer<std::int32_t> blocks_;
-  ocl::Buffer<std::array<float, 4>> sources_;
 };
 
 }  // namespace offing::clouds

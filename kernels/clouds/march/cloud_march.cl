@@ -52,20 +52,8 @@ INLINE Trilinear trilinear_at(lanes x, lanes y, lanes z, int size_x, int size_y,
 
 INLINE lanes mixed(lanes a, lanes b, lanes share) { return fma(share, b - a, a); }
 
-// Of values `pitch` apart.
-INLINE lanes sampled(__global const float *restrict values, int pitch, Trilinear at) {
-  const int_lanes first = pitch * at.first;
-  const int row = pitch * at.row, plane = pitch * at.plane;
-  const lanes low = mixed(mixed(gathered(values, first), gathered(values + pitch, first), at.x),
-                          mixed(gathered(values + row, first), gathered(values + row + pitch, first), at.x), at.y);
-  values += plane;
-  const lanes high = mixed(mixed(gathered(values, first), gathered(values + pitch, first), at.x),
-                           mixed(gathered(values + row, first), gathered(values + row + pitch, first), at.x), at.y);
-  return mixed(low, high, at.z);
-}
-
 // Of values in pairs along x.
-INLINE lanes sampled_pairs(__global const uint *restrict pairs, Trilinear at) {
+INLINE lanes sampled(__global const uint *restrict pairs, Trilinear at) {
   const lanes low = mixed(mixed_pair(gathered_pairs(pairs, at.first), at.x),
                           mixed_pair(gathered_pairs(pairs + at.row, at.first), at.x), at.y);
   pairs += at.plane;
@@ -142,7 +130,8 @@ INLINE lanes most_kept(const March *march) {
 typedef struct {
   __global const uint *cells, *phases, *noise;
   __global const int *blocks;
-  __global const float *sources;
+  __global const uint *sources;
+  int source_pitch;  // of its values
 } MarchedArrays;
 
 // Goes through a volume behind others of this depth, where rays still go on. `arrays` are those of its slot.
@@ -207,7 +196,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
       const lanes half_piece = 0.5f * piece;
       const Trilinear at = trilinear_at(fma(half_piece, speed_x, x), fma(half_piece, speed_y, y), fma(half_piece, speed_z, z), volume.size_x,
                                         volume.size_y, volume.size_z);
-      lanes extinction = select((lanes)0.0f, sampled_pairs(arrays.cells, at), holds);
+      lanes extinction = select((lanes)0.0f, sampled(arrays.cells, at), holds);
       if (any_lane(mask_of(extinction > 0.0f))) {
         const lanes middle = way + half_piece;
         const lanes texel_px = lump_px / most(middle, (lanes)1.0f);
@@ -227,10 +216,10 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
               fma(source_at, rays.z, (lanes)(params.eye_z_m - grid.low_z)) / own_cell.z, grid.size_x, grid.size_y,
               grid.size_z);
           for (int colour = 0; colour < 3; ++colour)
-            shared[colour] = sampled(arrays.sources + colour, 4 * SOURCE_VECTORS, in_grid);
+            shared[colour] = sampled(arrays.sources + colour * arrays.source_pitch, in_grid);
 #if CHANNELS > 1
           for (int channel = 0; channel < CHANNELS; ++channel) {
-            albedo[channel] = sampled(arrays.sources + 4 + channel, 4 * SOURCE_VECTORS, in_grid);
+            albedo[channel] = 1.0f - sampled(arrays.sources + (3 + channel) * arrays.source_pitch, in_grid);
             scaled[channel] = 1.0f - look.forward_share * albedo[channel];
           }
 #endif
@@ -239,7 +228,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
         lanes shown[3] = {shared[0], shared[1], shared[2]}, lit[CHANNELS];
         const lanes eye_depth = fma(extinction, half_piece, depth_before + march->depth);
         for (int sun = 0; sun < light->sun_count; ++sun) {
-          const lanes sun_depth = sampled_pairs(arrays.cells + (1 + sun) * CLOUD_MARCH_CELLS, at);
+          const lanes sun_depth = sampled(arrays.cells + (1 + sun) * CLOUD_MARCH_CELLS, at);
           for (int channel = 0; channel < CHANNELS; ++channel)
             lit[channel] = exp_of(-sun_depth * scaled[channel]) *
                            phase_of(arrays.phases, angle_places[sun], albedo[channel] * (eye_depth + sun_depth));
@@ -271,7 +260,7 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
 }
 
 __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int volume_count,
-                          __global const uint *restrict cells, __global const int *restrict blocks, __global const float *restrict sources,
+                          __global const uint *restrict cells, __global const int *restrict blocks, __global const uint *restrict sources,
                           __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
                           __global const CloudLightParams *restrict lights, __global const uint *restrict phases,
                           __global const uint *restrict noise, __global const float *restrict scene_depth, CloudImageParams params,
@@ -296,7 +285,8 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
         const MarchedArrays arrays = {
             cells + slot * (1 + lit_by->sun_count) * CLOUD_MARCH_CELLS,
             phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
-            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VECTORS * 4};
+            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VALUES,
+            grids[volume.cloud].room};
         March march;
         march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
         for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
