@@ -28,45 +28,71 @@ Point cell_point(int column, int row, std::uint32_t seed) {
   return {static_cast<float>(h & 0xffffu) / 65536.0f, static_cast<float>(h >> 16) / 65536.0f};
 }
 
-/// How close a place (0 ... 1, repeating) is to the border between the cells of `count` x `count` scattered
-/// points (Worley 1996): 0 on it, growing inward, in units of a cell.
-float border_distance(Point place, int count, std::uint32_t seed) {
-  const float x = place.x * static_cast<float>(count), y = place.y * static_cast<float>(count);
-  const int cell_x = static_cast<int>(std::floor(x)), cell_y = static_cast<int>(std::floor(y));
-  float nearest = 1e9f, second = 1e9f;  // squares of distances
-  for (int row = cell_y - 1; row <= cell_y + 1; ++row) {
-    for (int column = cell_x - 1; column <= cell_x + 1; ++column) {
-      const auto wrapped = [count](int i) { return (i % count + count) % count; };
-      const Point point = cell_point(wrapped(column), wrapped(row), seed);
-      const float away_x = static_cast<float>(column) + point.x - x,
-                  away_y = static_cast<float>(row) + point.y - y;
-      const float square = away_x * away_x + away_y * away_y;
-      second = std::min(second, std::max(nearest, square));
-      nearest = std::min(nearest, square);
+/// `count` x `count` scattered points, one in each cell of a tile that repeats (Worley 1996).
+class ScatteredPoints {
+ public:
+  ScatteredPoints(int count, std::uint32_t seed) : count_(count) {
+    // With the cells around, from -1 to `count`.
+    const auto wrapped = [count](int i) { return (i + count) % count; };
+    for (int row = -1; row <= count; ++row) {
+      for (int column = -1; column <= count; ++column) {
+        const Point point = cell_point(wrapped(column), wrapped(row), seed);
+        points_.push_back({static_cast<float>(column) + point.x, static_cast<float>(row) + point.y});
+      }
     }
   }
-  return std::sqrt(second) - std::sqrt(nearest);
-}
 
-// Threads between cells of a metre and less, bent and torn by coarser ones.
-float foam_height(Point place) {
-  const float bend = border_distance(place, 5, 1) - 0.4f;
-  const auto moved = [&](float by) {
-    const auto wrapped = [](float v) { return v - std::floor(v); };
-    return Point{wrapped(place.x + by * bend), wrapped(place.y - 0.7f * by * bend)};
-  };
-  return -0.9f * border_distance(moved(0.05f), 7, 2) - 0.7f * border_distance(moved(0.03f), 15, 3) -
-         0.5f * border_distance(moved(0.02f), 37, 4) - 0.35f * border_distance(place, 83, 5);
-}
-
-// The x that a standard normal variable exceeds with this probability: bisection of its distribution.
-double normal_quantile(double above) {
-  double low = -8.0, high = 8.0;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (0.5 * std::erfc(middle / std::numbers::sqrt2) > above ? low : high) = middle;
+  /// How close a place (0 ... 1, repeating) is to the border between the cells of the points: 0 on it,
+  /// growing inward, in units of a cell.
+  float border_distance(Point place) const {
+    const float x = place.x * static_cast<float>(count_), y = place.y * static_cast<float>(count_);
+    const int cell_x = std::clamp(static_cast<int>(x), 0, count_ - 1),
+              cell_y = std::clamp(static_cast<int>(y), 0, count_ - 1);
+    float nearest = 1e9f, second = 1e9f;  // squares of distances
+    for (int row = 0; row < 3; ++row) {
+      const Point* const points = &points_[static_cast<std::size_t>((cell_y + row) * (count_ + 2) + cell_x)];
+      for (int column = 0; column < 3; ++column) {
+        const float away_x = points[column].x - x, away_y = points[column].y - y;
+        const float square = away_x * away_x + away_y * away_y;
+        second = std::min(second, std::max(nearest, square));
+        nearest = std::min(nearest, square);
+      }
+    }
+    return std::sqrt(second) - std::sqrt(nearest);
   }
-  return 0.5 * (low + high);
+
+ private:
+  int count_;
+  std::vector<Point> points_;
+};
+
+/// Threads between cells of a metre and less, bent and torn by coarser ones.
+class FoamHeights {
+ public:
+  float at(Point place) const {
+    const float bend = coarse_.border_distance(place) - 0.4f;
+    const auto moved = [&](float by) {
+      const auto wrapped = [](float v) { return v - std::floor(v); };
+      return Point{wrapped(place.x + by * bend), wrapped(place.y - 0.7f * by * bend)};
+    };
+    return -0.9f * wide_.border_distance(moved(0.05f)) - 0.7f * middle_.border_distance(moved(0.03f)) -
+           0.5f * small_.border_distance(moved(0.02f)) - 0.35f * fine_.border_distance(place);
+  }
+
+ private:
+  ScatteredPoints coarse_{5, 1}, wide_{7, 2}, middle_{15, 3}, small_{37, 4}, fine_{83, 5};
+};
+
+/// The x that a standard normal variable exceeds with this probability: Newton's method from a guess.
+double normal_quantile(double above, double guess) {
+  double x = guess;
+  for (int i = 0; i < 20; ++i) {
+    const double density = std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi);
+    const double step = (0.5 * std::erfc(x / std::numbers::sqrt2) - above) / density;
+    x += std::clamp(step, -1.0, 1.0);
+    if (std::abs(step) < 1e-6) break;  // the next one would be of its square
+  }
+  return x;
 }
 
 struct Texel {
@@ -87,9 +113,10 @@ std::vector<Texel> normal_texels(const std::vector<float>& heights) {
   };
   const auto count = static_cast<double>(order.size());
   std::vector<Texel> texels(heights.size());
+  double quantile = -5.0;  // each close to the one before
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double value = std::clamp(normal_quantile(1.0 - (static_cast<double>(i) + 0.5) / count),
-                                    -foam_value_limit, foam_value_limit);
+    quantile = normal_quantile(1.0 - (static_cast<double>(i) + 0.5) / count, quantile);
+    const double value = std::clamp(quantile, -foam_value_limit, foam_value_limit);
     texels[order[i]] = {packed(value, -foam_value_limit, foam_value_limit),
                         packed(value * value, 0.0, foam_value_limit * foam_value_limit)};
   }
@@ -99,12 +126,13 @@ std::vector<Texel> normal_texels(const std::vector<float>& heights) {
 }  // namespace
 
 GlTexture foam_texture() {
+  const FoamHeights foam;
   std::vector<float> heights;
   heights.reserve(static_cast<std::size_t>(size) * size);
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
       heights.push_back(
-          foam_height({(static_cast<float>(column) + 0.5f) / size, (static_cast<float>(row) + 0.5f) / size}));
+          foam.at({(static_cast<float>(column) + 0.5f) / size, (static_cast<float>(row) + 0.5f) / size}));
     }
   }
   const std::vector<Texel> texels = normal_texels(heights);
