@@ -33,8 +33,9 @@ CloudBuilder::~CloudBuilder() {
   thread_.join();
 }
 
-world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky, const CancelToken& cancel) {
-  return grower_.grown(std::move(sky), cancel);
+world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky, const CancelToken& cancel,
+                                             const std::function<void(world::CloudProgress)>& progress) {
+  return grower_.grown(std::move(sky), cancel, progress);
 }
 
 void CloudBuilder::begin(const scene::Scene& scene, Haste haste) {

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -46,7 +47,8 @@ class CloudBuilder {
 
   /// Gives a sky its particles on the caller's thread; before the first begin() only. Throws what
   /// world::CloudGrower::grown() throws.
-  world::CloudSkyParameters grow(world::CloudSkyParameters sky, const CancelToken& cancel);
+  world::CloudSkyParameters grow(world::CloudSkyParameters sky, const CancelToken& cancel,
+                                 const std::function<void(world::CloudProgress)>& progress = {});
 
   void begin(const scene::Scene& scene, Haste haste);
   /// What is ready since the last call, if anything; the fault of a scene whose clouds could not be made.

@@ -6,13 +6,10 @@
 #include "host/scene/prepare/scene_meshes.h"
 
 namespace offing::present {
-namespace {
 
 bool is_of_camera(const scene::ValueKey& value) {
   return value.key.starts_with("camera.");
 }
-
-}  // namespace
 
 bool has_camera_path(const scene::Scene& scene) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(),

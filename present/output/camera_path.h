@@ -10,6 +10,8 @@
 
 namespace offing::present {
 
+/// Whether keyframes of this value are the camera's.
+bool is_of_camera(const scene::ValueKey& value);
 /// Whether a scene's camera has keyframes.
 bool has_camera_path(const scene::Scene& scene);
 

@@ -35,6 +35,10 @@ bool PanelLayer::close_popups() {
   return true;
 }
 
+bool PanelLayer::is_in_use() const {
+  return ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || has_waiting_input();
+}
+
 void PanelLayer::begin() {
   ImGui_ImplOpenGL3_NewFrame();
   if (fonts_.update()) renew_font_texture();
@@ -45,6 +49,10 @@ void PanelLayer::begin() {
 void PanelLayer::end() {
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void PanelLayer::repeat() {
+  if (ImDrawData* drawn = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(drawn);
 }
 
 }  // namespace offing::present

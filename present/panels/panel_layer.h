@@ -22,9 +22,13 @@ class PanelLayer {
   void need(std::string_view text) { fonts_.need(text); }
   /// Closes lists, menus and dialogs that have popped up; false if there were none.
   bool close_popups();
+  /// Whether an item is held or takes text, which panels then have to follow without input too.
+  bool is_in_use() const;
   void begin();
   /// Draws the panels onto the bound framebuffer.
   void end();
+  /// Draws what end() drew last, once more.
+  void repeat();
 
  private:
   GLFWwindow* window_;

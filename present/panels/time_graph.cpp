@@ -43,6 +43,7 @@ void draw_columns(const StageTimes& times, TimeSource source) {
     float y = end.y;
     for (std::size_t stage = 0; stage < stage_count; ++stage) {
       const float height = size.y * times.history_ms(static_cast<Stage>(stage), source)[frame] / scale;
+      if (height <= 0.0f) continue;
       list.AddRectFilled(ImVec2(x, y - height), ImVec2(x + column, y), colours[stage]);
       y -= height;
     }

@@ -37,10 +37,15 @@ void Frame::fit(int width, int height) {
   if (light_.width() == width && light_.height() == height) return;
   light_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::single_precision);
   under_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::none);
-  screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
 }
 
-void Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_terrain) {
+void Frame::set_detail(const FrameSettings& settings) {
+  terrain_sampling_ = settings.terrain;
+  water_.set_detail(settings.water);
+  sky_.set_step(settings.sky_step_px);
+}
+
+bool Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_terrain) {
   light_.bind();
   glClearDepth(0.0);
   glClear(GL_DEPTH_BUFFER_BIT);
@@ -50,12 +55,13 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
   if (world.has_sea() && !is_under_) {
     const StageTimes::Scope stage(times_, Stage::water);
-    water_.draw(world, request,
-                {.meshes = meshes_,
-                 .shadows = shadows_,
-                 .environment = sky_.environment(),
-                 .cloudy_sky = cloudy_sky_},
-                light_, transfer_);
+    const bool is_whole = water_.draw(world, request,
+                                      {.meshes = meshes_,
+                                       .shadows = shadows_,
+                                       .environment = sky_.environment(),
+                                       .cloudy_sky = cloudy_sky_},
+                                      light_, transfer_);
+    if (!is_whole) return false;
   }
   {
     // Where nothing else is.
@@ -71,6 +77,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
     const StageTimes::Scope stage(times_, Stage::terrain);
     terrain_.draw(request.camera, TerrainPass::Part::edges);
   }
+  return request.is_wanted();
 }
 
 void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
@@ -104,7 +111,18 @@ void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
       from_below.eye_m, keeps ? SkyRefresh::slice : SkyRefresh::whole, transfer_);
 }
 
-void Frame::draw(world::World& world, const FrameRequest& request) {
+void Frame::show_light(const FrameRequest& request, bool shows_steps) {
+  const StageTimes::Scope stage(times_, Stage::tone);
+  const int width = request.camera.width_px, height = request.camera.height_px;
+  // Not before: until now it has held the last picture.
+  if (screen_.width() != width || screen_.height() != height)
+    screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
+  screen_.bind();
+  tone_.draw(light(), shows_steps ? 1.0 : request.exposure,
+             shows_steps ? TonePass::Curve::none : TonePass::Curve::filmic);
+}
+
+bool Frame::draw(world::World& world, const FrameRequest& request) {
   fit(request.camera.width_px, request.camera.height_px);
   // Depth is 1 at the near plane and 0 at infinity.
   if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -116,6 +134,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     run_stage(times_, Stage::meshes, world.device(),
               [&] { world.see_meshes(request.camera.eye_m, request.lighting_at, request.first_s); });
   }
+  if (!request.is_wanted()) return false;
   const bool sees_terrain = world.terrain() && world.terrain()->is_in_reach();
   const bool shows_steps = sees_terrain && request.terrain == TerrainShow::steps;
   is_under_ = !shows_steps && UnderwaterPass::is_under(world, request.camera);
@@ -133,7 +152,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     terrain_.draw_steps();
   } else {
     draw_cloudy_sky(world, request);
-    draw_light(world, request, sees_terrain);
+    if (!request.is_wanted() || !draw_light(world, request, sees_terrain)) return false;
     if (world.clouds() != nullptr) draw_clouds(world, request);
     if (is_under_) {
       const StageTimes::Scope stage(times_, Stage::water);
@@ -142,13 +161,9 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
                        under_);
     }
   }
-  {
-    const StageTimes::Scope stage(times_, Stage::tone);
-    screen_.bind();
-    tone_.draw(light(), shows_steps ? 1.0 : request.exposure,
-               shows_steps ? TonePass::Curve::none : TonePass::Curve::filmic);
-  }
+  show_light(request, shows_steps);
   require_no_gl_error("frame");
+  return true;
 }
 
 }  // namespace offing::present

@@ -46,8 +46,11 @@ class Frame {
   /// two degrees, which clouds and eyes take seconds for. Where eye, sun or time jump all of it is drawn.
   static constexpr int slice_frames = 4;
 
-  /// Draws the world as it stands (World::at()), with the camera's width and height.
-  void draw(world::World& world, const FrameRequest& request);
+  /// Draws the next pictures as finely as these settings say; the transfer path stays.
+  void set_detail(const FrameSettings& settings);
+  /// Draws the world as it stands (World::at()), with the camera's width and height. False where the request
+  /// is not wanted any more: screen() is the last picture then.
+  bool draw(world::World& world, const FrameRequest& request);
 
   /// Puts other textures of clouds in the place of Offing's own.
   void set_billboards(const ocl::Device& device, const clouds::BillboardTextures& textures) {
@@ -68,7 +71,8 @@ class Frame {
 
  private:
   void fit(int width, int height);
-  void draw_light(world::World& world, const FrameRequest& request, bool sees_terrain);
+  void show_light(const FrameRequest& request, bool shows_steps);
+  bool draw_light(world::World& world, const FrameRequest& request, bool sees_terrain);
   void draw_clouds(world::World& world, const FrameRequest& request);
   void draw_cloudy_sky(world::World& world, const FrameRequest& request);
 

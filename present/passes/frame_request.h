@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -74,6 +75,11 @@ struct FrameRequest {
   highlights::LightingAt lighting_at = {};
   std::optional<double> first_s =
       {};  ///< with a lighting: of the sequence that this picture is of; none: alone
+  /// Asked between parts of a picture that takes long; false: it is not wanted any more.
+  std::function<bool()> goes_on = {};
+
+  /// Whether the picture is still wanted. Where somebody is asked, OpenGL first does what it was asked for.
+  bool is_wanted() const;
 };
 
 }  // namespace offing::present

@@ -22,8 +22,6 @@
 namespace offing::present {
 namespace {
 
-constexpr int fewest_samples = 32;  // along a patch of the sea, unless a scene asks for fewer
-
 world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters,
                                       const CancelToken* cancel) {
   const CancelToken none;
@@ -38,18 +36,35 @@ world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParamet
 LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::Scene& scene)
     : context_(context),
       settings_(settings.frame),
+      still_settings_(settings.still.value_or(settings.frame)),
       cancel_(settings.cancel),
+      watch_(settings.watch),
       device_(ocl::Device::open_shared(ocl::select_device(settings.device), ocl::Profiling::on,
-                                       context.share_properties())),
-      scene_(scene),
-      builder_(std::make_unique<CloudBuilder>(device_.info(), scene_)),
-      world_(std::make_unique<world::World>(
-          device_, with_particles(*builder_, scene::prepare_shown_world(scene_), settings.cancel))),
-      frame_(new_frame(scene_)) {
-  take_scene(std::move(scene_));
+                                       context.share_properties())) {
+  make(scene, settings.first);
 }
 
-std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) {
+void LiveSea::make(const scene::Scene& scene, std::optional<FirstView> view) {
+  constexpr std::chrono::milliseconds between_looks{50};
+  WorldOpening opening(device_, scene, view, cancel_);
+  if (watch_) watch_(opening.step());
+  auto frame = std::make_unique<Frame>(context_, device_, settings_);
+  while (!opening.wait_for(between_looks)) {
+    if (watch_) watch_(opening.step());
+  }
+  OpenedWorld opened = opening.take();
+  if (const auto billboards = scene::own_billboards(scene)) frame->set_billboards(device_, *billboards);
+  builder_ = std::move(opened.builder);
+  world_ = std::move(opened.world);
+  frame_ = std::move(frame);
+  light_meter_ = {};
+  request_ = {.time_s = opened.scene.time.start_s, .camera = opened.scene.view.camera};
+  ++revision_;
+  take_scene(std::move(opened.scene));
+  is_drawn_ = false;
+}
+
+std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) const {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
   if (const auto billboards = scene::own_billboards(scene)) frame->set_billboards(device_, *billboards);
   return frame;
@@ -62,20 +77,7 @@ void LiveSea::take_scene(scene::Scene scene) {
 }
 
 void LiveSea::open(const scene::Scene& scene) {
-  scene::Scene opened = scene;
-  auto builder = std::make_unique<CloudBuilder>(device_.info(), opened);
-  auto world = std::make_unique<world::World>(
-      device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
-  auto frame = new_frame(opened);
-  const FrameRequest request{.time_s = opened.time.start_s, .camera = opened.view.camera};
-  try_out(*world, request);
-  builder_ = std::move(builder);
-  world_ = std::move(world);
-  frame_ = std::move(frame);
-  light_meter_ = {};
-  request_ = request;
-  take_scene(std::move(opened));
-  is_drawn_ = false;
+  make(scene, {});
 }
 
 void LiveSea::try_out(world::World& world, const FrameRequest& request) const {
@@ -86,6 +88,7 @@ void LiveSea::try_out(world::World& world, const FrameRequest& request) const {
 }
 
 void LiveSea::change(const std::function<void()>& work) {
+  ++revision_;
   const world::WorldParameters before = world_->parameters();
   try {
     work();
@@ -150,6 +153,7 @@ void LiveSea::edit(const scene::Scene& scene) {
 }
 
 void LiveSea::reload() {
+  ++revision_;
   auto frame = new_frame(scene_);
   auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
   auto world = std::make_unique<world::World>(
@@ -175,26 +179,24 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
 }
 
 void LiveSea::simulate(const FrameRequest& request) {
-  world_->set_eye({request.camera.eye_m.x, request.camera.eye_m.z});
-  world_->set_light_lag(request.quality.light_lag);
-  world_->set_sea_samples(
-      std::max(fewest_samples, world_->parameters().ocean.size >> request.quality.sea_halvings));
-  world_->set_cloud_halvings(request.quality.cloud_halvings);
-  run_stage(frame_->times(), Stage::simulate, device_,
-            [&] { world_->at(request.time_s, request.camera.eye_m.y); });
+  run_stage(frame_->times(), Stage::simulate, device_, [&] {
+    show_view(*world_, {.time_s = request.time_s, .quality = request.quality}, request.camera.eye_m);
+  });
 }
 
-void LiveSea::draw(FrameRequest request) {
+bool LiveSea::draw(FrameRequest request, PictureKind kind) {
   const scene::ViewScene now = scene::view_at(scene_, request.time_s);
-  request.exposure = request_.exposure;  // until it is measured
-  request_ = request;
   scene::set_view(*world_, now);
   scene::set_meshes_at(*world_, scene_, request.time_s);
   simulate(request);
-  request_.exposure = light_meter_.exposure(*world_, request.camera, now.exposure_ev);
-  frame_->draw(*world_, request_);
+  request.exposure = light_meter_.exposure(*world_, request.camera, now.exposure_ev);
+  frame_->set_detail(kind == PictureKind::still ? still_settings_ : settings_);
+  if (!request.is_wanted() || !frame_->draw(*world_, request)) return false;
+  request.goes_on = {};  // the caller's, who is asked no more
+  request_ = std::move(request);
   // What the scene before held, and what the compilers of shaders took for the first picture.
   if (!std::exchange(is_drawn_, true)) give_back_freed_memory();
+  return true;
 }
 
 void LiveSea::write(const std::filesystem::path& path, Existing existing) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -15,13 +16,24 @@
 #include "present/output/recorder.h"
 #include "present/passes/frame.h"
 #include "present/passes/sky/light_meter.h"
+#include "present/passes/world_opening.h"
 
 namespace offing::present {
+
+/// What a picture is one of.
+enum class PictureKind {
+  moving,  ///< of many, each of which may keep something of those before it
+  still,   ///< one by itself, as SceneImages draws it
+};
 
 struct LiveSeaSettings {
   std::string device;  ///< selector of ocl::select_device
   FrameSettings frame;
-  const CancelToken* cancel = nullptr;  ///< of making whole worlds; outlives the sea
+  std::optional<FrameSettings> still = {};  ///< of pictures in PictureKind::still; absent: as all others
+  const CancelToken* cancel = nullptr;      ///< of making whole worlds; outlives the sea
+  std::optional<FirstView> first = {};      ///< of the first scene; absent: its start
+  /// Called some twenty times a second while a scene is opened, by the thread that waits for it.
+  std::function<void(const OpeningStep&)> watch = {};
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever
@@ -65,8 +77,11 @@ class LiveSea {
   /// As the last picture shows them.
   const std::vector<world::WorldMesh>& meshes() const { return std::as_const(*world_).meshes(); }
 
-  /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
-  void draw(FrameRequest request);
+  /// Sun, air and exposure are those of the scene at that time. False where the request is not wanted any
+  /// more: the last picture is the one before then. Throws what scene::view_at() throws.
+  bool draw(FrameRequest request, PictureKind kind = PictureKind::moving);
+  /// Another one for each change of what it shows at a time.
+  std::uint64_t revision() const { return revision_; }
   /// The last picture is the next frame of a recording.
   void record(Recorder& recorder) const { recorder.write(*frame_, request_.time_s, request_.exposure); }
   /// The last picture, into a file (image_file.h).
@@ -76,20 +91,23 @@ class LiveSea {
   const ocl::DeviceInfo& device() const { return device_.info(); }
 
  private:
+  /// Replaces all by a scene's.
+  void make(const scene::Scene& scene, std::optional<FirstView> view);
   /// What is compiled or allocated at first use.
   void try_out(world::World& world, const FrameRequest& request) const;
   void simulate(const FrameRequest& request);
   /// Changes the world, or leaves it as it was.
   void change(const std::function<void()>& work);
   void show_clouds(BuiltClouds built);
-  std::unique_ptr<Frame> new_frame(const scene::Scene& scene);
+  std::unique_ptr<Frame> new_frame(const scene::Scene& scene) const;
   /// What was written where has been checked: edits are not to be warned of as if they were in the file.
   void take_scene(scene::Scene scene);
   void warn();
 
   const GlContext& context_;
-  FrameSettings settings_;
+  FrameSettings settings_, still_settings_;
   const CancelToken* cancel_;
+  std::function<void(const OpeningStep&)> watch_;
   ocl::Device device_;
   scene::Scene scene_, wanted_;
   scene::Scene next_;  // as scene_ but within an edit: edits copy what they change and no more
@@ -99,6 +117,7 @@ class LiveSea {
   std::unique_ptr<Frame> frame_;
   LightMeter light_meter_;
   FrameRequest request_;  // of the last picture
+  std::uint64_t revision_ = 0;
   double edit_s_ = 0.0;
   bool is_drawn_ = false;  // since the scene was opened
 };

@@ -26,6 +26,8 @@ class FileIntake {
   /// Takes in the next file, once a frame; true if another scene is shown from here on. Meshes are put where
   /// the pointer is, in clip coordinates.
   bool turn(const std::vector<std::filesystem::path>& dropped, const Screen& screen, glm::dvec2 pointer);
+  /// Whether all files have been taken in.
+  bool is_idle() const { return files_.is_empty(); }
 
  private:
   bool take_in(const WaitingFile& waiting, const Screen& screen, glm::dvec2 pointer);

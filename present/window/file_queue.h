@@ -20,6 +20,7 @@ struct WaitingFile {
 class FileQueue {
  public:
   void add(const std::vector<WaitingFile>& files);
+  bool is_empty() const { return waiting_.empty(); }
   /// The next file, once the message has announced it; nothing where there is none, or it does so now.
   std::optional<WaitingFile> next(Message& message);
   /// The message is of the file that was given last: it comes behind those of the files before it.

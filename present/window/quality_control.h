@@ -15,9 +15,14 @@ namespace offing::present {
 /// minute at the earliest.
 class QualityControl {
  public:
+  explicit QualityControl(std::size_t level = 0) : level_(level) {}
+
   /// Takes the time of a frame drawn on the current quality level, without waiting for a display, and when it
   /// ended.
   void note(double frame_ms, double wanted_ms, double now_s);
+
+  /// Frames stop coming for a while: those that follow are looked at by themselves.
+  void rest() { since_s_.reset(); }
 
   std::size_t level() const { return level_; }
   const Quality& quality() const { return quality_levels.at(level_); }
@@ -31,7 +36,7 @@ class QualityControl {
   /// From a quality level whose frames took so long.
   void go_to(std::size_t level, double usual_ms, double now_s);
 
-  std::size_t level_ = 0;
+  std::size_t level_;
   std::optional<double> since_s_;  // on this quality level, its first frame drawn; nothing: not yet
   double window_s_ = 0.0;          // when the frames that are looked at together began
   std::vector<double> frames_ms_;  // since then

@@ -70,13 +70,16 @@ void FrameLimiter::wait(double frames_per_second) {
 
 Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
     : options_(options),
+      cancel_(cancel),
       context_(GlContext::window({.title = title(options),
                                   .width = options.size.value_or(ImageSize{}).width,
                                   .height = options.size.value_or(ImageSize{}).height})),
-      sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
-      state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
+      start_screen_(window(), panels_),
+      control_(start_level(options, context_.capabilities())),
+      sea_(context_, sea_settings(), options.scene),
+      state_(start_state(options, sea_)),
       editing_(sea_, state_),
       scenes_(options_, sea_, state_, editing_),
       intake_(options_, sea_, state_, editing_, scenes_),
@@ -94,8 +97,41 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_path()));
 }
 
+LiveSeaSettings Viewer::sea_settings() {
+  const Quality quality = options_.recording ? Quality{} : control_.quality();
+  LiveSeaSettings settings = present::sea_settings(options_, context_.capabilities(), cancel_, quality);
+  settings.watch = [this](const OpeningStep& step) { start_screen_.show(title(options_), step); };
+  return settings;
+}
+
+bool Viewer::is_sharp() const {
+  glm::ivec2 window_px(0);
+  glfwGetFramebufferSize(window(), &window_px.x, &window_px.y);
+  return !options_.recording && refinement_.is_complete(view(window_px));
+}
+
+bool Viewer::is_at_rest() const {
+  return is_sharp() && !has_panels_to_draw() && intake_.is_idle() && !sea_.clouds_progress();
+}
+
+/// Waits for input where nothing is left to draw.
+void Viewer::take_events() {
+  constexpr double longest_wait_s = 0.25, panels_follow_s = 1.0;
+  if (is_at_rest()) {
+    control_.rest();
+    glfwWaitEventsTimeout(longest_wait_s);
+    last_turn_s_ = glfwGetTime();  // nothing has moved meanwhile
+  } else {
+    glfwPollEvents();
+  }
+  const double now_s = glfwGetTime();
+  if (std::exchange(deeds_, input_.deeds()) != input_.deeds()) deed_s_ = now_s;
+  const bool has_news = std::exchange(events_, input_.events()) != input_.events();
+  if (has_news || sea_.clouds_progress()) panels_follow_s_ = now_s + panels_follow_s;
+}
+
 bool Viewer::turn() {
-  glfwPollEvents();
+  take_events();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
   for (const KeyPress press : input_.take_presses()) act(press);
   if (glfwWindowShouldClose(window()) == GLFW_TRUE) {
@@ -112,14 +148,13 @@ bool Viewer::turn() {
   editing_.take_clouds();
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
-  if (show()) {
-    if (state_.kept_hz > 0.0f) {
-      const double shown_s = glfwGetTime();
-      control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
-    }
-    if (recorder_) record_frame();
-    limiter_.wait(most_frames_hz());
+  const Drawn drawn = show();
+  if (drawn == Drawn::moving && state_.kept_hz > 0.0f) {
+    const double shown_s = glfwGetTime();
+    control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
   }
+  if (drawn == Drawn::moving && recorder_) record_frame();
+  if (!is_at_rest()) limiter_.wait(most_frames_hz());
   return !quit_.has_quit() && !is_recorded_;
 }
 
@@ -206,7 +241,8 @@ void Viewer::begin_scene() {
   is_on_path_ = has_camera_path(state_.scene);
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
-  control_ = {};
+  control_ = QualityControl(start_level(options_, context_.capabilities()));
+  refinement_.forget();
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -257,19 +293,38 @@ void Viewer::reset_camera() {
   take_camera_path(options_.scene, state_.scene);
 }
 
-bool Viewer::show() {
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(window(), &width, &height);
-  if (width == 0 || height == 0 || glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE) {
+/// Panels are drawn for a while after the last input: tooltips come late.
+bool Viewer::has_panels_to_draw() const {
+  return glfwGetTime() < panels_follow_s_ || panels_.is_in_use() || options_.recording;
+}
+
+/// While nobody looks into them, times and graphs need no more than ten new ones a second.
+bool Viewer::are_panels_old() const {
+  constexpr double renewed_s = 0.1;
+  const bool has_handles = state_.picked || state_.pick || state_.clouds.pick != CloudPick::none;
+  return has_panels_to_draw() || has_handles || glfwGetTime() - panels_made_s_ > renewed_s;
+}
+
+Viewer::Drawn Viewer::show() {
+  glm::ivec2 window_px(0);
+  glfwGetFramebufferSize(window(), &window_px.x, &window_px.y);
+  if (window_px.x == 0 || window_px.y == 0 || glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE) {
     glfwWaitEventsTimeout(0.1);
-    return false;
+    return Drawn::nothing;
   }
-  draw_sea(width, height);
+  const Drawn drawn = draw_sea(window_px);
+  if (drawn == Drawn::nothing && !has_panels_to_draw()) return drawn;
   PanelEdits edits;
   {
-    const StageTimes::Scope stage(sea_.frame().times(), Stage::panels);
-    copy_to_window(sea_.frame().screen(), width, height);
-    edits = draw_panels();
+    std::optional<StageTimes::Scope> stage;
+    if (drawn != Drawn::nothing) stage.emplace(sea_.frame().times(), Stage::panels);
+    copy_to_window(sea_.frame().screen(), window_px.x, window_px.y);
+    if (are_panels_old()) {
+      edits = draw_panels();
+      panels_made_s_ = glfwGetTime();
+    } else {
+      panels_.repeat();
+    }
   }
   require_no_gl_error("window");
   // Where no limit is wanted the display's is none either; and a quality control must not take waiting for
@@ -277,49 +332,96 @@ bool Viewer::show() {
   const int swap_interval = state_.frame_limit_hz > 0.0f && state_.kept_hz == 0.0f ? 1 : 0;
   if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
-  sea_.frame().times().end_frame();
+  if (drawn != Drawn::nothing) sea_.frame().times().end_frame();
   apply(edits);
-  return true;
+  return drawn;
 }
 
-/// Of a recording, whose highlights depend on the time alone; else none.
-highlights::LightingAt Viewer::lighting_at() {
-  if (!options_.recording) return {};
+/// Of a recording or a still picture, whose highlights depend on the time alone; else none.
+highlights::LightingAt Viewer::lighting_at(Sharpness sharpness) {
+  if (!options_.recording && (sharpness != Sharpness::still || sea_.meshes().empty())) return {};
   const std::optional<glm::dvec3> stands_m =
       is_on_path_ ? std::nullopt : std::optional(state_.camera.camera().eye_m);
-  return recorded_lighting(options_.scene, sea_.terrain(), stands_m);
+  return recorded_lighting(options_.recording ? options_.scene : sea_.scene(), sea_.terrain(), stands_m);
 }
 
-void Viewer::draw_sea(int width, int height) {
-  const double pixels = static_cast<double>(width) * height;
-  const bool is_enlarged = context_.capabilities().is_software && !options_.size;
-  const double scale = quality().side_share * state_.render_scale *
-                       (is_enlarged ? std::min(1.0, std::sqrt(software_pixels / pixels)) : 1.0);
-  Camera& camera = state_.camera.camera();
-  camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
-  camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
+void Viewer::follow_path() {
+  if (!is_on_path_) return;
+  scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
+  if (sea_.terrain()) scene::stand_on_ground(*sea_.terrain(), now);
+  state_.camera.place(now.camera);
+}
+
+ShownView Viewer::view(glm::ivec2 window_px) const {
+  const bool moves = is_on_path_ || moves_by_itself(sea_.scene());
+  ShownView view{.time_s = moves ? state_.clock.time_s() : 0.0,
+                 .camera = state_.camera.camera(),
+                 .scene_revision = sea_.revision(),
+                 .debug = state_.debug,
+                 .fill = state_.fill,
+                 .terrain = state_.terrain,
+                 .meshes = state_.meshes,
+                 .ray_share = ray_shares.at(static_cast<std::size_t>(state_.rays))};
+  fit(view.camera, window_px, Sharpness::still);
+  return view;
+}
+
+/// Gives a camera the size of a picture for a window of this size.
+void Viewer::fit(Camera& camera, glm::ivec2 window_px, Sharpness sharpness) const {
+  double scale = state_.render_scale;
+  if (sharpness != Sharpness::still && context_.capabilities().is_software && !options_.size)
+    scale *= std::min(1.0, std::sqrt(software_pixels / (1.0 * window_px.x * window_px.y)));
+  if (sharpness == Sharpness::quick) scale *= quality().side_share;
+  camera.width_px = std::max(1, static_cast<int>(std::lround(window_px.x * scale)));
+  camera.height_px = std::max(1, static_cast<int>(std::lround(window_px.y * scale)));
   if (options_.recording) {
     camera.width_px = fitting_side(options_.recording->video, camera.width_px);
     camera.height_px = fitting_side(options_.recording->video, camera.height_px);
   }
+}
+
+std::optional<Sharpness> Viewer::next_picture(const ShownView& view) const {
+  if (options_.recording) return Sharpness::quick;
+  return refinement_.next(view, glfwGetTime(), deed_s_);
+}
+
+bool Viewer::goes_on() const {
+  glfwPollEvents();
+  return !cancel_.cancelled() && input_.deeds() == deeds_;
+}
+
+/// The picture that is due, if any.
+Viewer::Drawn Viewer::draw_sea(glm::ivec2 window_px) {
   try {
-    if (is_on_path_) {
-      scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
-      if (sea_.terrain()) scene::stand_on_ground(*sea_.terrain(), now);
-      state_.camera.place(now.camera);
-    }
-    sea_.draw({.time_s = state_.clock.time_s(),
-               .camera = camera,
-               .debug = state_.debug,
-               .fill = state_.fill,
-               .terrain = state_.terrain,
-               .meshes = state_.meshes,
-               .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
-               .sky = options_.recording ? SkyRefresh::whole : SkyRefresh::slice,
-               .quality = quality(),
-               .lighting_at = lighting_at(),
-               .first_s = options_.recording ? std::optional(options_.recording->first_s()) : std::nullopt});
+    follow_path();
+    const ShownView now = view(window_px);
+    const std::optional<Sharpness> due = next_picture(now);
+    if (!due) return Drawn::nothing;
+    Quality drawn = quality();
+    if (*due != Sharpness::quick) drawn = {.ray_share = now.ray_share};
+    Camera& camera = state_.camera.camera();
+    fit(camera, window_px, *due);
+    const bool is_alone = options_.recording || *due == Sharpness::still;
+    FrameRequest request{.time_s = state_.clock.time_s(),
+                         .camera = camera,
+                         .debug = state_.debug,
+                         .fill = state_.fill,
+                         .terrain = state_.terrain,
+                         .meshes = state_.meshes,
+                         .tiles = is_alone ? world::TileWait::all : world::TileWait::none,
+                         .sky = is_alone ? SkyRefresh::whole : SkyRefresh::slice,
+                         .quality = drawn,
+                         .lighting_at = lighting_at(*due)};
+    if (options_.recording) request.first_s = options_.recording->first_s();
+    if (*due == Sharpness::still) request.first_s = request.time_s;
+    if (*due != Sharpness::quick) request.goes_on = [this] { return goes_on(); };
+    const PictureKind kind = *due == Sharpness::still ? PictureKind::still : PictureKind::moving;
+    if (!sea_.draw(std::move(request), kind)) return Drawn::nothing;
     drawn_s_ = state_.clock.time_s();
+    shown_quality_ = drawn;
+    const bool is_fine = *due == Sharpness::quick && drawn == Quality{.ray_share = now.ray_share};
+    refinement_.note(now, is_fine ? Sharpness::fine : *due, glfwGetTime());
+    return *due == Sharpness::quick ? Drawn::moving : Drawn::refined;
   } catch (const Error& error) {
     // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the
     // window stays where it was.
@@ -329,6 +431,7 @@ void Viewer::draw_sea(int width, int height) {
     state_.message = fault_message(error);
     state_.clock.set_time(drawn_s_);
     state_.clock.step(0.0);
+    return Drawn::moving;
   }
 }
 
@@ -347,7 +450,7 @@ PanelEdits Viewer::draw_panels() {
                                                    .has_meshes = !sea_.meshes().empty(),
                                                    .terrain = sea_.terrain(),
                                                    .map = &map_,
-                                                   .quality = quality(),
+                                                   .quality = shown_quality_,
                                                    .scenes = &scene_list_,
                                                    .open_scene = listed(options_)});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));

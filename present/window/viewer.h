@@ -1,10 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+
+#include <glm/ext/vector_int2.hpp>
 
 #include "host/base/work.h"
 #include "present/editing/scene_editing.h"
@@ -18,7 +21,9 @@
 #include "present/window/camera_pilot.h"
 #include "present/window/file_intake.h"
 #include "present/window/quality_control.h"
+#include "present/window/refinement.h"
 #include "present/window/scene_switch.h"
+#include "present/window/start_screen.h"
 #include "present/window/window_input.h"
 
 namespace offing::present {
@@ -49,12 +54,16 @@ class Viewer {
   /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
   Viewer(const ViewOptions& options, const CancelToken& cancel);
 
-  /// Input, time, picture, panels: one frame. False once the user has quit, or the last frame of a
-  /// recording is written.
+  /// Input, time, picture, panels: one frame. Where nothing is left to draw it waits for input, a quarter of
+  /// a second at most. False once the user has quit, or the last frame of a recording is written.
   bool turn();
+  /// Whether the picture is as sharp as one in a file.
+  bool is_sharp() const;
+  /// Whether it is, and nothing is drawn any more.
+  bool is_at_rest() const;
 
   const ViewState& state() const { return state_; }
-  /// Of the next picture. What is recorded has all of it.
+  /// Of the next picture of a moving view. What is recorded has all of it.
   Quality quality() const;
   /// Frames of the recording that are written.
   int recorded() const { return recorder_ ? recorder_->count() : 0; }
@@ -72,9 +81,21 @@ class Viewer {
   void reset_camera();
   void take_screenshot();
   double most_frames_hz() const;
-  bool show();
-  highlights::LightingAt lighting_at();
-  void draw_sea(int width, int height);
+  LiveSeaSettings sea_settings();
+  void take_events();
+  /// What a turn has drawn of the scene; panels are drawn with each, and now and then with nothing.
+  enum class Drawn { nothing, moving, refined };
+  Drawn show();
+  bool has_panels_to_draw() const;
+  bool are_panels_old() const;
+  ShownView view(glm::ivec2 window_px) const;
+  void fit(Camera& camera, glm::ivec2 window_px, Sharpness sharpness) const;
+  std::optional<Sharpness> next_picture(const ShownView& view) const;
+  /// Whether the picture in progress is still wanted.
+  bool goes_on() const;
+  void follow_path();
+  highlights::LightingAt lighting_at(Sharpness sharpness);
+  Drawn draw_sea(glm::ivec2 window_px);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   Screen screen() const;
@@ -89,11 +110,14 @@ class Viewer {
   void attempt(const std::function<void()>& work);
 
   ViewOptions options_;
+  const CancelToken& cancel_;
   GlContext context_;
-  LiveSea sea_;
-  ViewState state_;
   WindowInput input_;
   PanelLayer panels_;
+  StartScreen start_screen_;
+  QualityControl control_;
+  LiveSea sea_;
+  ViewState state_;
   CameraPilot pilot_;
   SceneEditing editing_;
   SceneSwitch scenes_;
@@ -101,11 +125,16 @@ class Viewer {
   QuitDialog quit_;
   SceneList scene_list_;
   MiniMap map_;
-  QualityControl control_;
+  Refinement refinement_;
+  Quality shown_quality_;  // of the picture that is shown
   FrameLimiter limiter_;
   double last_turn_s_;
-  double drawn_s_;   // time of the last picture; before the first one, of that
-  bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
+  double deed_s_ = 0.0;  // of the last input
+  double panels_made_s_ = 0.0;
+  double panels_follow_s_ = 0.0;          // until when panels are drawn though nothing has changed
+  std::uint64_t events_ = 0, deeds_ = 0;  // that were seen
+  double drawn_s_;                        // time of the last picture; before the first one, of that
+  bool is_on_path_;                       // the camera follows the scene's keyframes until the user moves it
   std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
   bool is_recorded_ = false;  // the whole recording is

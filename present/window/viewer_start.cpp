@@ -1,5 +1,7 @@
 #include "present/window/viewer_start.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace offing::present {
@@ -18,11 +20,13 @@ std::string title(const ViewOptions& options) {
 }
 
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
-                             const CancelToken& cancel) {
+                             const CancelToken& cancel, const Quality& quality) {
   const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
   return {.device = options.device,
           .frame = frame_settings(options.detail.value_or(usual), options.transfer),
-          .cancel = &cancel};
+          .still = frame_settings(options.detail.value_or(Detail::high), options.transfer),
+          .cancel = &cancel,
+          .first = FirstView{.time_s = options.time_s, .quality = quality}};
 }
 
 ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
@@ -38,6 +42,15 @@ ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
 float start_kept_hz(const ViewOptions& options, const GlCapabilities& capabilities) {
   constexpr double software_hz = 20.0;
   return static_cast<float>(options.kept_hz.value_or(capabilities.is_software ? software_hz : 0.0));
+}
+
+std::size_t start_level(const ViewOptions& options, const GlCapabilities& capabilities) {
+  constexpr double coarse_share = 0.5;
+  if (!capabilities.is_software || start_kept_hz(options, capabilities) == 0.0f || options.recording)
+    return 0;
+  const auto coarse = std::ranges::find_if(
+      quality_levels, [](const Quality& quality) { return quality.side_share <= coarse_share; });
+  return static_cast<std::size_t>(coarse - quality_levels.begin());
 }
 
 }  // namespace offing::present

@@ -30,6 +30,13 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetScrollCallback(window, on_wheel);
   glfwSetMouseButtonCallback(window, on_button);
   glfwSetDropCallback(window, on_drop);
+  glfwSetCursorPosCallback(window, on_move);
+  glfwSetCharCallback(window, on_letter);
+  glfwSetWindowFocusCallback(window, on_focus);
+  glfwSetCursorEnterCallback(window, on_enter);
+  glfwSetFramebufferSizeCallback(window, on_size);
+  glfwSetWindowRefreshCallback(window, on_damage);
+  glfwSetWindowCloseCallback(window, on_close);
 }
 
 WindowInput::~WindowInput() {
@@ -37,11 +44,19 @@ WindowInput::~WindowInput() {
   glfwSetScrollCallback(window_, nullptr);
   glfwSetMouseButtonCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
+  glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetCharCallback(window_, nullptr);
+  glfwSetWindowFocusCallback(window_, nullptr);
+  glfwSetCursorEnterCallback(window_, nullptr);
+  glfwSetFramebufferSizeCallback(window_, nullptr);
+  glfwSetWindowRefreshCallback(window_, nullptr);
+  glfwSetWindowCloseCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
 void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modifiers) {
   WindowInput& input = input_of(window);
+  input.note_deed();
   if (action == GLFW_RELEASE) input.camera_keys_.erase(key);
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
@@ -53,11 +68,13 @@ void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modif
 }
 
 void WindowInput::on_wheel(GLFWwindow* window, double, double y) {
+  input_of(window).note_deed();
   if (!panels_want_mouse()) input_of(window).wheel_ += y;
 }
 
 void WindowInput::on_button(GLFWwindow* window, int button, int action, int modifiers) {
   WindowInput& input = input_of(window);
+  input.note_deed();
   const bool is_press = action == GLFW_PRESS;
   if (is_press && panels_want_mouse()) return;
   if (button == GLFW_MOUSE_BUTTON_MIDDLE && is_press) input.clicks_.push_back(input.pointer());
@@ -67,8 +84,42 @@ void WindowInput::on_button(GLFWwindow* window, int button, int action, int modi
 }
 
 void WindowInput::on_drop(GLFWwindow* window, int count, const char** paths) {
-  auto& files = input_of(window).dropped_files_;
-  files.insert(files.end(), paths, paths + count);
+  WindowInput& input = input_of(window);
+  input.note_deed();
+  input.dropped_files_.insert(input.dropped_files_.end(), paths, paths + count);
+}
+
+void WindowInput::on_move(GLFWwindow* window, double, double) {
+  WindowInput& input = input_of(window);
+  ++input.events_;
+  bool is_followed = panels_want_mouse();
+  for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT})
+    is_followed = is_followed || glfwGetMouseButton(window, button) == GLFW_PRESS;
+  if (is_followed) ++input.deeds_;
+}
+
+void WindowInput::on_letter(GLFWwindow* window, unsigned) {
+  input_of(window).note_deed();
+}
+void WindowInput::on_focus(GLFWwindow* window, int) {
+  input_of(window).note_deed();
+}
+void WindowInput::on_enter(GLFWwindow* window, int) {
+  ++input_of(window).events_;
+}
+void WindowInput::on_size(GLFWwindow* window, int, int) {
+  input_of(window).note_deed();
+}
+void WindowInput::on_damage(GLFWwindow* window) {
+  ++input_of(window).events_;
+}
+void WindowInput::on_close(GLFWwindow* window) {
+  input_of(window).note_deed();
+}
+
+void WindowInput::note_deed() {
+  ++events_;
+  ++deeds_;
 }
 
 std::vector<std::filesystem::path> WindowInput::take_dropped_files() {

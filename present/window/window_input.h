@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <vector>
@@ -51,12 +52,24 @@ class WindowInput {
   /// Where the mouse is, in clip coordinates of the window.
   glm::dvec2 pointer() const;
   PointerNow pointer_now() const;
+  /// Counts all that came: keys, mouse, and what the window's system wants.
+  std::uint64_t events() const { return events_; }
+  /// The same without moves of a mouse that nothing follows.
+  std::uint64_t deeds() const { return deeds_; }
 
  private:
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_wheel(GLFWwindow* window, double x, double y);
   static void on_button(GLFWwindow* window, int button, int action, int modifiers);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
+  static void on_move(GLFWwindow* window, double x, double y);
+  static void on_letter(GLFWwindow* window, unsigned letter);
+  static void on_focus(GLFWwindow* window, int has_focus);
+  static void on_enter(GLFWwindow* window, int has_entered);
+  static void on_size(GLFWwindow* window, int width, int height);
+  static void on_damage(GLFWwindow* window);
+  static void on_close(GLFWwindow* window);
+  void note_deed();
 
   bool is_held(int key) const;
   bool holds_control() const;
@@ -67,6 +80,7 @@ class WindowInput {
   std::vector<PointerEvent> pointer_events_;
   std::vector<std::filesystem::path> dropped_files_;
   std::set<int> camera_keys_;  // that are down, and went down without Ctrl
+  std::uint64_t events_ = 0, deeds_ = 0;
   double wheel_ = 0.0;
   bool is_dragging_ = false, is_camera_held_ = false;
   double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was

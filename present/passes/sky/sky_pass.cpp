@@ -72,8 +72,7 @@ std::optional<PixelRange> pixels_around(const glm::dvec3& direction, double angl
 }  // namespace
 
 SkyPass::SkyPass(int step_px)
-    : step_px_(step_px),
-      sky_(sky_program("sky/sky.frag")),
+    : sky_(sky_program("sky/sky.frag")),
       sun_(sky_program("sky/sun.frag")),
       map_(sky_program("sky/environment.frag")),
       no_vertices_(GlVertexArray::make()),
@@ -83,11 +82,18 @@ SkyPass::SkyPass(int step_px)
       view_table_(GlTexture::make()),
       depth_table_(GlTexture::make()),
       environment_(environment_size, environment_size, GL_RGBA16F, RenderTarget::Depth::none) {
-  if (step_px_ == 1) return;
-  enlarge_.emplace(ShaderStages{.vertex = {shader_file("screen.vert")},
-                                .fragment = {shader_file("sky/sky_uniforms.h"),
-                                             uniform_block("SkyNodes", "SkyNodesUniforms sky_nodes;"),
-                                             shader_file("sky/sky_enlarged.frag")}});
+  set_step(step_px);
+}
+
+void SkyPass::set_step(int step_px) {
+  if (step_px_ == step_px) return;
+  step_px_ = step_px;
+  if (!enlarge_) {
+    enlarge_.emplace(ShaderStages{.vertex = {shader_file("screen.vert")},
+                                  .fragment = {shader_file("sky/sky_uniforms.h"),
+                                               uniform_block("SkyNodes", "SkyNodesUniforms sky_nodes;"),
+                                               shader_file("sky/sky_enlarged.frag")}});
+  }
   nodes_block_.fill({.step_px = static_cast<float>(step_px_)});
 }
 
@@ -135,7 +141,7 @@ void SkyPass::draw_nodes(const Camera& camera) {
 }
 
 void SkyPass::draw(const Camera& camera, const RenderTarget& target) {
-  if (enlarge_) {
+  if (step_px_ > 1) {
     draw_nodes(camera);
     target.bind();
     enlarge_->use();

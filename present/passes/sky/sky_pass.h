@@ -18,9 +18,11 @@ namespace offing::present {
 /// It holds OpenGL's copies of the sky's tables.
 class SkyPass {
  public:
+  explicit SkyPass(int step_px = 1);
+
   /// Works out the sky's light at every `step_px`-th pixel of rows and columns, linear between them: quicker
   /// where the CPU draws, and hardly another picture (tests/present/passes/sky_pass_test.cpp).
-  explicit SkyPass(int step_px = 1);
+  void set_step(int step_px);
 
   /// Takes over tables and parameters of this sky and draws the map of reflections, unless it has them.
   void prepare(const sky::ClearSky& sky);
@@ -35,9 +37,9 @@ class SkyPass {
   void draw_nodes(const Camera& camera);
   void draw_sun(const Camera& camera);
 
-  int step_px_;
+  int step_px_ = 1;
   ShaderProgram sky_, sun_, map_;
-  std::optional<ShaderProgram> enlarge_;  // with step_px_ > 1
+  std::optional<ShaderProgram> enlarge_;  // once step_px_ has been > 1
   RenderTarget nodes_;                    // where pixels' corners (step_px_ i, step_px_ j) are
   GlVertexArray no_vertices_;
   UniformBlock<SkyParams> block_;

@@ -133,14 +133,30 @@ void WaterPass::bind_surface(const ShaderProgram& program) const {
   }
 }
 
-void WaterPass::draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
+// In bands, between which somebody may ask for another picture: this takes longest where the CPU draws.
+bool WaterPass::fill(const FrameRequest& request, int height_px) {
+  const int bands = request.goes_on ? std::min(height_px, 16) : 1;
+  glEnable(GL_SCISSOR_TEST);
+  bool goes_on = true;
+  for (int band = 0; goes_on && band < bands; ++band) {
+    const int bottom = height_px * band / bands, top = height_px * (band + 1) / bands;
+    glScissor(0, bottom, request.camera.width_px, top - bottom);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    goes_on = request.is_wanted();
+  }
+  glDisable(GL_SCISSOR_TEST);
+  return goes_on;
+}
+
+bool WaterPass::draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
                      const RenderTarget& target, Transfer& transfer) {
   constexpr int least_cells = 16, least_views_px = 32;
   const Quality& quality = request.quality;
   surface_.fit({share_of(detail_.cells.columns, quality.grid_share, least_cells),
                 share_of(detail_.cells.rows, quality.grid_share, least_cells)});
-  if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
+  if (!surface_.draw(world, maps_, request.camera, request.fill)) return true;
   views_.draw(world, request, share_of(detail_.views_px, quality.views_share, least_views_px), dry, transfer);
+  if (!request.is_wanted()) return false;
   target.bind();
   const ShaderProgram& program = programs_.with({.waves = wave_features(world, surface_.rings()),
                                                  .taps = detail_.taps,
@@ -174,8 +190,9 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  const bool is_whole = fill(request, target.height());
   glDisable(GL_DEPTH_TEST);
+  return is_whole;
 }
 
 }  // namespace offing::present

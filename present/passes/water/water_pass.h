@@ -37,10 +37,12 @@ class WaterPass {
  public:
   WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
 
+  void set_detail(const WaterDetail& detail) { detail_ = detail; }
   /// Copies the world's maps into textures.
   void prepare(world::World& world, Transfer& transfer) { maps_.prepare(world, transfer); }
   /// Draws onto a target whose depth is reversed, with what is not water mirrored in it and seen through it.
-  void draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
+  /// False where the request is not wanted any more (FrameRequest::goes_on).
+  bool draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
             const RenderTarget& target, Transfer& transfer);
 
  private:
@@ -59,6 +61,8 @@ class WaterPass {
   static ShaderProgram program_for(const Features& features);
 
   void bind_surface(const ShaderProgram& program) const;
+  /// A picture of this many rows.
+  static bool fill(const FrameRequest& request, int height_px);
 
   WaterDetail detail_;
   WaterMaps maps_;

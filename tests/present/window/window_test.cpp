@@ -52,6 +52,7 @@ present::ViewOptions WindowTest::quick_options() {
   options.starts_paused = true;
   options.kept_hz = 0.0;
   options.render_scale = 0.3;
+  options.detail = present::Detail::low;
   options.verbosity = Verbosity::quiet;
   return options;
 }
@@ -181,7 +182,10 @@ void WindowTest::look_at_sea() {
   ASSERT_LT(state().camera.camera().pitch_rad, -0.1) << "the picture does not follow the mouse";
 }
 
-std::vector<unsigned char> WindowTest::picture() const {
+std::vector<unsigned char> WindowTest::picture() {
+  constexpr double longest_s = 20.0;
+  const double end_s = glfwGetTime() + longest_s;
+  while (state().clock.is_paused() && !viewer_->is_sharp() && glfwGetTime() < end_s) turn();
   return viewer_->sea().frame().screen().read_bytes();
 }
 

@@ -58,8 +58,8 @@ class WindowTest : public testing::Test {
   std::string edited_text() const;
   /// Looks down at the sea by dragging the mouse, beside the panels.
   void look_at_sea();
-  /// The picture without panels, sRGB.
-  std::vector<unsigned char> picture() const;
+  /// The picture without panels, sRGB; while time stands the one that nothing is left to add to.
+  std::vector<unsigned char> picture();
   int width() const;
   int height() const;
 

@@ -1,0 +1,69 @@
+#include "present/passes/world_opening.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/scene/prepare/world_scene.h"
+
+namespace offing::present {
+
+void show_view(world::World& world, const FirstView& view, const glm::dvec3& eye_m) {
+  constexpr int fewest_samples = 32;  // along a patch of the sea, unless a scene asks for fewer
+  world.set_eye({eye_m.x, eye_m.z});
+  world.set_light_lag(view.quality.light_lag);
+  world.set_sea_samples(std::max(fewest_samples, world.parameters().ocean.size >> view.quality.sea_halvings));
+  world.set_cloud_halvings(view.quality.cloud_halvings);
+  world.at(view.time_s, eye_m.y);
+}
+
+WorldOpening::WorldOpening(const ocl::Device& device, const scene::Scene& scene,
+                           std::optional<FirstView> view, const CancelToken* cancel) {
+  begin("the scene");
+  world_ = std::async(std::launch::async, [this, device, scene, view, cancel] {
+    const CancelToken none;
+    return open(device, scene, view, cancel != nullptr ? *cancel : none);
+  });
+}
+
+OpeningStep WorldOpening::step() const {
+  const std::lock_guard lock(mutex_);
+  return step_;
+}
+
+bool WorldOpening::wait_for(std::chrono::milliseconds time) const {
+  return world_.wait_for(time) == std::future_status::ready;
+}
+
+void WorldOpening::begin(const char* work) {
+  const std::lock_guard lock(mutex_);
+  step_ = {work, {}};
+}
+
+OpenedWorld WorldOpening::open(const ocl::Device& device, scene::Scene scene, std::optional<FirstView> view,
+                               const CancelToken& cancel) {
+  OpenedWorld opened;
+  opened.builder = std::make_unique<CloudBuilder>(device.info(), scene);
+  world::WorldParameters parameters = scene::prepare_shown_world(scene);
+  cancel.throw_if_cancelled();
+  if (parameters.clouds) {
+    begin("the clouds");
+    const auto tell = [this](world::CloudProgress progress) {
+      const std::lock_guard lock(mutex_);
+      step_.share = progress.all > 0 ? (static_cast<double>(progress.done) + progress.share) /
+                                           static_cast<double>(progress.all)
+                                     : 1.0;
+    };
+    parameters.clouds = opened.builder->grow(std::move(*parameters.clouds), cancel, tell);
+  }
+  begin("kernels, sea and ground");
+  opened.world = std::make_unique<world::World>(device, parameters);
+  cancel.throw_if_cancelled();
+  begin("waves, wakes and light of the first picture");
+  show_view(*opened.world, view.value_or(FirstView{.time_s = scene.time.start_s}), scene.view.camera.eye_m);
+  opened.world->see_clouds(scene.view.camera);
+  device.finish();
+  opened.scene = std::move(scene);
+  return opened;
+}
+
+}  // namespace offing::present
