@@ -216,6 +216,13 @@ WakeBorder make_wake_border(const WakeParameters& parameters, double part_s) {
   return border;
 }
 
+/// Work-items that take a run of samples each: RUN of ocean/wakes/wake_slopes.clh.
+ocl::LaunchShape in_runs(int cells) {
+  constexpr std::size_t run = 16;
+  const auto side = static_cast<std::size_t>(cells);
+  return {{side / run, side, 1}};
+}
+
 fft::FftPlan plan_for(const ocl::Device& device, int cells) {
   return {device.info(),
           {.size = cells, .columns = cells},
@@ -410,7 +417,7 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
     if (add_growth) add_growth(middle_s, grid_, growth_);
   }
   const float second = parameters_.method == WakeMethod::verlet ? 0.0f : 1.0f;
-  foam_step_.launch(whole(), grid_, state_, displaced_, growth_, foam_, second,
+  foam_step_.launch(in_runs(parameters_.cells), grid_, state_, displaced_, growth_, foam_, second,
                     static_cast<float>(std::exp(-since_s / parameters_.foam_decay_s)),
                     static_cast<float>(spread), next_foam_);
   std::swap(foam_, next_foam_);
@@ -420,9 +427,7 @@ void WakeWindow::make_foam(const ForcingAt& forcing_at, double middle_s, const A
 void WakeWindow::break_waves() {
   const std::int64_t every = steps_to_breaking(parameters_);
   if (parameters_.method == WakeMethod::verlet || step_ % every != 0) return;
-  constexpr std::size_t run = 16;  // of ocean/wakes/wake_break.cl
-  const auto side = static_cast<std::size_t>(parameters_.cells);
-  break_.launch({{side / run, side, 1}}, grid_, state_, displaced_,
+  break_.launch(in_runs(parameters_.cells), grid_, state_, displaced_,
                 static_cast<float>(parameters_.dispersion.gravity_mps2),
                 static_cast<float>(static_cast<double>(every) * parameters_.step_s), next_);
   std::swap(state_, next_);
