@@ -1,5 +1,7 @@
 // The ground under a pixel of the picture, of a coarser view.
 
+uniform sampler2D terrain_distances;  // terrain_distance.frag, row 0 at the bottom
+
 // Texels whose distances differ by more than this share show different slopes.
 const float one_slope = 0.1;
 
@@ -15,13 +17,11 @@ Terrain terrain_here() {
   int nearest = 0;
   for (int i = 0; i < 4; ++i) {
     ivec2 step = ivec2(i & 1, i >> 1);
-    texels[i] = terrain_texel(clamp(ivec2(corner) + step, ivec2(0), last));
+    ivec2 texel = clamp(ivec2(corner) + step, ivec2(0), last);
+    texels[i] = Terrain(texelFetch(terrain_image, ivec3(texel, 0), 0),
+                        texelFetch(terrain_distances, ivec2(texel.x, last.y - texel.y), 0).r);
     weights[i] = (step.x == 1 ? share.x : 1.0 - share.x) * (step.y == 1 ? share.y : 1.0 - share.y);
     if (weights[i] > weights[nearest]) nearest = i;
-    float coverage = texels[i].light.a;
-    if (coverage > 0.0 && coverage < 1.0) {
-      texels[i].distance_m = edge_distance_m(clamp(ivec2(corner) + step, ivec2(0), last));
-    }
   }
   float middle_m = texels[nearest].distance_m;
   if (texels[nearest].light.a <= 0.0) {

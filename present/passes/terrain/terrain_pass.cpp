@@ -13,7 +13,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int image_unit = 0, planes_unit = 1;
+constexpr int image_unit = 0, planes_unit = 1, distances_unit = 2;
 
 std::vector<ShaderPart> terrain_shaders(std::initializer_list<const char*> last) {
   std::vector<ShaderPart> parts{
@@ -43,11 +43,32 @@ void fit(TextureArray& texture, const TextureArray::Shape& shape) {
 TerrainPass::TerrainPass()
     : exact_(light_program("terrain/terrain_exact.glsl")),
       enlarged_(light_program("terrain/terrain_enlarged.glsl")),
+      distance_({.vertex = {shader_file("screen.vert")},
+                 .fragment = terrain_shaders({"terrain/terrain_distance.frag"})}),
       steps_(steps_program()),
       block_("TerrainPass", pass_binding),
       no_vertices_(GlVertexArray::make()) {}
 
-void TerrainPass::prepare(const world::TerrainImage& terrain, Transfer& transfer) {
+bool TerrainPass::is_exact(const Camera& camera) const {
+  return image_.shape().width == camera.width_px && image_.shape().height == camera.height_px;
+}
+
+void TerrainPass::draw_distances(const Camera& camera) {
+  const TextureArray::Shape& seen = image_.shape();
+  if (distances_.width() != seen.width || distances_.height() != seen.height)
+    distances_ = RenderTarget(seen.width, seen.height, GL_R32F, RenderTarget::Depth::none);
+  distances_.bind();
+  bind(distance_);
+  glsl::TerrainUniforms values{};
+  values.hidden_below_m = static_cast<float>(sea_.below_m);
+  values.hidden_bend_perm = static_cast<float>(sea_.bend_perm);
+  block_.fill(view_uniforms(camera), values);
+  block_.bind(distance_);
+  glDisable(GL_DEPTH_TEST);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void TerrainPass::prepare(const world::TerrainImage& terrain, const Camera& camera, Transfer& transfer) {
   glActiveTexture(GL_TEXTURE0);
   const int width = terrain.width_px, height = terrain.height_px;
   fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
@@ -55,6 +76,7 @@ void TerrainPass::prepare(const world::TerrainImage& terrain, Transfer& transfer
   const std::array<Upload, 2> uploads{{{terrain.image, &image_}, {terrain.planes, &planes_}}};
   transfer.upload(uploads);
   sea_ = terrain.sea;
+  if (!is_exact(camera)) draw_distances(camera);
 }
 
 void TerrainPass::bind(const ShaderProgram& program) const {
@@ -67,10 +89,9 @@ void TerrainPass::bind(const ShaderProgram& program) const {
 }
 
 void TerrainPass::draw(const Camera& camera, Part part) {
-  const TextureArray::Shape& seen = image_.shape();
-  const bool is_exact = seen.width == camera.width_px && seen.height == camera.height_px;
-  const ShaderProgram& program = is_exact ? exact_ : enlarged_;
+  const ShaderProgram& program = is_exact(camera) ? exact_ : enlarged_;
   bind(program);
+  if (!is_exact(camera)) bind_sampler(program, "terrain_distances", distances_unit, distances_.texture());
   glsl::TerrainUniforms values{};
   values.hidden_below_m = static_cast<float>(sea_.below_m);
   values.hidden_bend_perm = static_cast<float>(sea_.bend_perm);

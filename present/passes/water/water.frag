@@ -5,7 +5,6 @@
 uniform sampler2D place_of;   // water_surface.frag's outputs
 uniform sampler2D facet_of;
 uniform sampler2D strain_of;
-uniform sampler2D depth_of;
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D foam_pattern;  // foam_texture()
 
@@ -119,8 +118,6 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 facet = texelFetch(facet_of, pixel, 0);
   float distance_m = facet.z;
-  if (distance_m == 0.0) discard;
-  gl_FragDepth = texelFetch(depth_of, pixel, 0).r;
   vec4 place = texelFetch(place_of, pixel, 0);
   vec2 label_m = place.xy, long_m = place.zw;
   float width_m = max(length(long_m) / float(TAPS), facet.w);

@@ -90,6 +90,10 @@ void set_waves(world::World& world, const Camera& camera, glsl::WaterUniforms& u
   set_foam_pattern(world.parameters().wind, camera, uniforms);
 }
 
+ShaderProgram screen_program(const char* fragment) {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = {shader_file(fragment)}});
+}
+
 }  // namespace
 
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
@@ -98,7 +102,10 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
       programs_(program_for),
       block_("Water", pass_binding),
       no_vertices_(GlVertexArray::make()),
-      foam_pattern_(foam_texture()) {}
+      foam_pattern_(foam_texture()),
+      depth_(screen_program("water/water_depth.frag")),
+      mask_(screen_program("water/water_mask.frag")),
+      masked_(GlFramebuffer::make()) {}
 
 ShaderProgram WaterPass::program_for(const Features& features) {
   const ShaderPart compiled_for{
@@ -123,14 +130,38 @@ ShaderProgram WaterPass::program_for(const Features& features) {
 
 void WaterPass::bind_surface(const ShaderProgram& program) const {
   const RenderTarget& surface = surface_.target();
-  const std::array<std::pair<const char*, GLuint>, 4> textures{{{"place_of", surface.texture(0)},
+  const std::array<std::pair<const char*, GLuint>, 3> textures{{{"place_of", surface.texture(0)},
                                                                 {"facet_of", surface.texture(1)},
-                                                                {"strain_of", surface.texture(2)},
-                                                                {"depth_of", surface.depth_texture()}}};
+                                                                {"strain_of", surface.texture(2)}}};
   int unit = first_surface_unit;
   for (const auto& [name, texture] : textures) {
     bind_sampler(program, name, unit++, texture);
   }
+}
+
+void WaterPass::draw_mask(const RenderTarget& target) {
+  constexpr int depth_unit = 0, shown_unit = 1;
+  if (mask_target_.width() != target.width() || mask_target_.height() != target.height()) {
+    mask_target_ =
+        RenderTarget(target.width(), target.height(), GL_R8, RenderTarget::Depth::single_precision);
+  }
+  glBindVertexArray(no_vertices_.name());
+  glEnable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  // Water hides what lies behind it and is hidden by what is before it.
+  target.bind();
+  glDepthFunc(GL_GREATER);
+  depth_.use();
+  bind_sampler(depth_, "depth_of", depth_unit, surface_.target().depth_texture());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  mask_target_.bind();
+  glDepthFunc(GL_ALWAYS);
+  mask_.use();
+  bind_sampler(mask_, "depth_of", depth_unit, surface_.target().depth_texture());
+  bind_sampler(mask_, "shown_depth", shown_unit, target.depth_texture());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
 }
 
 // In bands, between which somebody may ask for another picture: this takes longest where the CPU draws.
@@ -157,7 +188,7 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return true;
   views_.draw(world, request, share_of(detail_.views_px, quality.views_share, least_views_px), dry, transfer);
   if (!request.is_wanted()) return false;
-  target.bind();
+  draw_mask(target);
   const ShaderProgram& program = programs_.with({.waves = wave_features(world, surface_.rings()),
                                                  .taps = detail_.taps,
                                                  .debug = request.debug,
@@ -185,13 +216,21 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   views_.bind(program, first_view_unit);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
 
-  // The shader gives the surface's depth, so that water hides what lies behind it and is hidden by what is
-  // before it.
+  // On the pixels that show water alone: those of the mask.
+  glBindFramebuffer(GL_FRAMEBUFFER, masked_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, mask_target_.depth_texture(), 0);
+  glViewport(0, 0, target.width(), target.height());
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
+  glDepthFunc(GL_LESS);
+  glDepthRange(0.5, 0.5);
+  glDepthMask(GL_FALSE);
   glBindVertexArray(no_vertices_.name());
   const bool is_whole = fill(request, target.height());
+  glDepthMask(GL_TRUE);
+  glDepthRange(0.0, 1.0);
   glDisable(GL_DEPTH_TEST);
+  target.bind();
   return is_whole;
 }
 
