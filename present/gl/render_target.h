@@ -39,8 +39,4 @@ class RenderTarget {
   GlFramebuffer framebuffer_;
 };
 
-/// Copies a picture to the window of the current context, of so many pixels, enlarged where it is smaller;
-/// the window's framebuffer and viewport are set from here on.
-void copy_to_window(const RenderTarget& picture, int width, int height);
-
 }  // namespace offing::present

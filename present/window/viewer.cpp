@@ -318,7 +318,7 @@ Viewer::Drawn Viewer::show() {
   {
     std::optional<StageTimes::Scope> stage;
     if (drawn != Drawn::nothing) stage.emplace(sea_.frame().times(), Stage::panels);
-    copy_to_window(sea_.frame().screen(), window_px.x, window_px.y);
+    enlarge_.draw(sea_.frame().screen(), 0, window_px.x, window_px.y);
     if (are_panels_old()) {
       edits = draw_panels();
       panels_made_s_ = glfwGetTime();

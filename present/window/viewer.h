@@ -16,6 +16,7 @@
 #include "present/panels/panel_layer.h"
 #include "present/panels/panels.h"
 #include "present/panels/quit_dialog.h"
+#include "present/passes/enlarge/enlarge_pass.h"
 #include "present/passes/live_sea.h"
 #include "present/view_options.h"
 #include "present/window/camera_pilot.h"
@@ -115,6 +116,7 @@ class Viewer {
   WindowInput input_;
   PanelLayer panels_;
   StartScreen start_screen_;
+  EnlargePass enlarge_;
   QualityControl control_;
   LiveSea sea_;
   ViewState state_;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "present/gl/gl_objects.h"
+#include "present/gl/render_target.h"
+#include "present/gl/shader_program.h"
+
+namespace offing::present {
+
+/// Copies pictures to a framebuffer. Smaller ones are enlarged along their edges (enlarge.frag), so that
+/// slanted edges have no steps.
+class EnlargePass {
+ public:
+  EnlargePass() : no_vertices_(GlVertexArray::make()) {}
+
+  /// Onto a framebuffer of so many pixels, which is bound from here on; 0: the window's.
+  void draw(const RenderTarget& picture, GLuint framebuffer, int width, int height);
+
+ private:
+  struct Programs {
+    ShaderProgram edges, enlarge;
+  };
+
+  std::optional<Programs> programs_;  // made when first needed
+  RenderTarget edges_;
+  GlVertexArray no_vertices_;
+};
+
+}  // namespace offing::present
