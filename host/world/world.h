@@ -91,6 +91,8 @@ class World {
   /// From now on the sea has at most so many samples a side, a power of two from 16 on: of waves too short
   /// for them the ripples have the slopes. Bodies float on the whole sea still. Throws what Ocean throws.
   void set_sea_samples(int most);
+  /// See WorldWakes::set_most_steps(); of wakes that are yet to come too.
+  void set_most_wake_steps(int most);
   /// See WorldClouds::set_particle_halvings(); of clouds that are yet to come too. Throws
   /// Error(bad_usage) for halvings out of range.
   void set_cloud_halvings(int halvings);
@@ -222,6 +224,7 @@ class World {
   std::shared_ptr<const ocean::Shoals> shoals_;
   std::unique_ptr<WorldBodies> bodies_;
   std::optional<WorldWakes> wakes_;
+  int most_wake_steps_ = 0;
   ocean::WaterPoint eye_;
   sky::ClearSky sky_;
   std::optional<WorldTerrain> terrain_;

@@ -163,8 +163,14 @@ void World::set_wakes(const std::vector<WakeSettings>& wakes) {
   std::optional<WorldWakes> made;
   if (ocean_ && !wakes.empty()) made.emplace(device_, wakes, time_s_);
   wakes_ = std::move(made);
+  set_most_wake_steps(most_wake_steps_);
   if (ocean_) ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
   parameters_.wakes = wakes;
+}
+
+void World::set_most_wake_steps(int most) {
+  most_wake_steps_ = most;
+  if (wakes_) wakes_->set_most_steps(most);
 }
 
 void World::reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "host/base/parameter_check.h"
 
@@ -13,6 +15,7 @@ WorldWakes::WorldWakes(const ocl::Device& device, const std::vector<WakeSettings
       has_history_(settings.size(), false),
       maps_(std::make_shared<ocean::WakeMaps>(device)) {
   for (const WakeSettings& window : settings) windows_.emplace_back(device, window.parameters);
+  last_s_ = std::numeric_limits<double>::max();  // none: nothing has passed at the first at()
 }
 
 ocean::WakeForcing WorldWakes::forcing_at(const WakeSettings& settings, double time_s,
@@ -46,6 +49,11 @@ void WorldWakes::at(double time_s, const ocean::WaterPoint& eye, const WorldBodi
       bodies->add_growth(at_s, grid, growth);
     };
   }
+  is_behind_ = false;
+  double shown_s = time_s;
+  // Each window comes nearer, however short its steps are.
+  constexpr double leap_s = 1.0;
+  const double passed_s = std::clamp(time_s - std::exchange(last_s_, time_s), 0.0, leap_s);
   for (std::size_t i = 0; i < windows_.size(); ++i) {
     const WakeSettings& settings = settings_[i];
     ocean::WakeWindow& window = windows_[i];
@@ -57,9 +65,17 @@ void WorldWakes::at(double time_s, const ocean::WaterPoint& eye, const WorldBodi
       window.reset(from_s, forcing(from_s).centre);
       has_history_[i] = true;
     }
-    window.advance_to(time_s, forcing, press, add_growth);
+    double until_s = time_s;
+    if (most_steps_ > 0) {
+      const double most_s = std::max(most_steps_ * settings.parameters.step_s, 2.0 * passed_s);
+      until_s = std::min(time_s, window.time_s() + most_s);
+    }
+    window.advance_to(until_s, forcing, press, add_growth);
+    if (until_s == time_s) continue;
+    is_behind_ = true;
+    shown_s = std::min(shown_s, until_s);
   }
-  maps_->at(windows_, time_s, press);
+  maps_->at(windows_, shown_s, press);
 }
 
 double WorldWakes::reach_m(double time_s) const {

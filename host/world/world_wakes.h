@@ -35,6 +35,12 @@ class WorldWakes {
   /// from their histories before the bodies' start on or, made later, before that time.
   void at(double time_s, const ocean::WaterPoint& eye, const WorldBodies* bodies = nullptr);
 
+  /// From now on at() takes each window at most so many steps further, or twice the time that has passed if
+  /// that is more; 0: all the way. A window that has not come that far shows its wake as it was then.
+  void set_most_steps(int most) { most_steps_ = most; }
+  /// Whether the last at() has left a window behind.
+  bool is_behind() const { return is_behind_; }
+
   std::shared_ptr<const ocean::WakeMaps> maps() const { return maps_; }
   const std::vector<ocean::WakeWindow>& windows() const { return windows_; }
   /// About as high as its waves may be: what all hulls displace at that time.
@@ -50,6 +56,9 @@ class WorldWakes {
   double made_s_;
   std::vector<ocean::WakeWindow> windows_;
   std::vector<bool> has_history_;
+  int most_steps_ = 0;
+  bool is_behind_ = false;
+  double last_s_ = 0.0;  // of the last at()
   std::shared_ptr<ocean::WakeMaps> maps_;
 };
 

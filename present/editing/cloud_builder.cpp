@@ -7,6 +7,7 @@
 
 #include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_clouds.h"
+#include "present/passes/clouds/cloud_pass.h"
 
 namespace offing::present {
 namespace {
@@ -72,7 +73,7 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
     BuiltClouds result{.scene = scene, .sky = {}, .billboards = {}};
     if (folders_of(scene) != billboard_folders_) {
       billboards = scene::own_billboards(scene);
-      if (!billboards) billboards = clouds::billboard_textures();
+      if (!billboards) billboards = built_in_billboards();
       billboard_folders_ = folders_of(scene);
     }
     result.sky = scene::prepare_clouds(scene, shapes_);
@@ -82,6 +83,7 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
         progress_ = progress;
       };
       result.sky = grower_.grown(std::move(*result.sky), *running_, show, world::LongWork::done);
+      built_in_billboards();  // for the pass that draws them, which would have to wait for them
     }
     return result;
   } catch (const Error& error) {

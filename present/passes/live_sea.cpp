@@ -60,7 +60,9 @@ void LiveSea::make(const scene::Scene& scene, std::optional<FirstView> view) {
   light_meter_ = {};
   request_ = {.time_s = opened.scene.time.start_s, .camera = opened.scene.view.camera};
   ++revision_;
-  take_scene(std::move(opened.scene));
+  const bool come_clouds_later = opened.with_clouds.has_value();
+  take_scene(std::move(opened.scene), std::move(opened.with_clouds));
+  if (come_clouds_later) builder_->begin(wanted_, Haste::let_finish);
   is_drawn_ = false;
 }
 
@@ -70,10 +72,12 @@ std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) const {
   return frame;
 }
 
-void LiveSea::take_scene(scene::Scene scene) {
+void LiveSea::take_scene(scene::Scene scene, std::optional<scene::Scene> wanted) {
   warning_ = scene::steepness_warning(scene, world_->parameters().ocean.gerstner_waves);
   scene.set_at.clear();
-  wanted_ = next_ = scene_ = std::move(scene);
+  if (wanted) wanted->set_at.clear();
+  next_ = scene_ = std::move(scene);
+  wanted_ = wanted ? std::move(*wanted) : scene_;
 }
 
 void LiveSea::open(const scene::Scene& scene) {

@@ -55,6 +55,8 @@ class LiveSea {
   void edit(const scene::Scene& scene);
   /// How far clouds are that are being made; nothing when none are.
   std::optional<world::CloudProgress> clouds_progress() const { return builder_->progress(); }
+  /// Whether wakes of the last picture have not come as far as its time (Quality::most_wake_steps).
+  bool is_behind() const { return world_->wakes() != nullptr && world_->wakes()->is_behind(); }
   /// How long the last edit took.
   double edit_s() const { return edit_s_; }
   /// What there is to say about the scene, scene::steepness_warning(); logged when it comes up.
@@ -101,7 +103,7 @@ class LiveSea {
   void show_clouds(BuiltClouds built);
   std::unique_ptr<Frame> new_frame(const scene::Scene& scene) const;
   /// What was written where has been checked: edits are not to be warned of as if they were in the file.
-  void take_scene(scene::Scene scene);
+  void take_scene(scene::Scene scene, std::optional<scene::Scene> wanted = {});
   void warn();
 
   const GlContext& context_;

@@ -17,6 +17,7 @@ struct Quality {
   bool mirrors_clouds = true;  ///< in what water mirrors at its size; else by the cloudy sky's map
   int sea_halvings = 0;        ///< of the samples along a patch of the sea
   int cloud_halvings = 0;      ///< of the particles of each cloud
+  int most_wake_steps = 0;     ///< of wakes that a picture takes further (WorldWakes); 0: all
   world::LightLag light_lag{};
 
   bool operator==(const Quality&) const = default;
@@ -30,6 +31,10 @@ inline int share_of(int number, double share, int least) {
   return std::max(std::min(number, least), static_cast<int>(std::lround(share * number)));
 }
 
+/// Wakes that have a long past to catch up with, as when a scene begins, do so in many frames: a step of a
+/// usual window takes half a millisecond, and a frame that goes by with the wall clock needs three.
+constexpr int wake_steps_of_frame = 24;
+
 /// One coarser than the first, whose light all lags behind alike.
 constexpr Quality coarser(double side_share, double grid_share, double views_share, int sea_halvings) {
   return {.side_share = side_share,
@@ -39,6 +44,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .mirrors_clouds = side_share > 0.5,
           .sea_halvings = sea_halvings,
           .cloud_halvings = side_share > 0.7 ? 0 : (side_share > 0.5 ? 1 : 2),
+          .most_wake_steps = wake_steps_of_frame,
           .light_lag = {.altitude_share = 0.05,
                         .cloud_steps = 4,
                         .cloud_light_frames = 8,
@@ -48,7 +54,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
 
 /// The levels of the quality control, each coarser than the one before: first goes what is seen least.
 inline constexpr std::array quality_levels{
-    Quality{.light_lag = {.cloud_light_frames = 8}},
+    Quality{.most_wake_steps = wake_steps_of_frame, .light_lag = {.cloud_light_frames = 8}},
     coarser(1.0, 0.75, 0.75, 0),
     coarser(0.85, 0.75, 0.5, 0),
     coarser(0.7, 0.5, 0.5, 1),

@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/world_scene.h"
 
 namespace offing::present {
+
+namespace {
+
+/// Whether a scene has clouds, and looks as it does with them but for them.
+bool stands_without_clouds(const scene::Scene& scene) {
+  return scene.has_clouds() && (scene.ocean.is_given || scene.terrain.is_given || !scene.meshes.empty());
+}
+
+}  // namespace
 
 void show_view(world::World& world, const FirstView& view, const glm::dvec3& eye_m) {
   constexpr int fewest_samples = 32;  // along a patch of the sea, unless a scene asks for fewer
@@ -13,6 +23,7 @@ void show_view(world::World& world, const FirstView& view, const glm::dvec3& eye
   world.set_light_lag(view.quality.light_lag);
   world.set_sea_samples(std::max(fewest_samples, world.parameters().ocean.size >> view.quality.sea_halvings));
   world.set_cloud_halvings(view.quality.cloud_halvings);
+  world.set_most_wake_steps(view.quality.most_wake_steps);
   world.at(view.time_s, eye_m.y);
 }
 
@@ -43,6 +54,10 @@ OpenedWorld WorldOpening::open(const ocl::Device& device, scene::Scene scene, st
                                const CancelToken& cancel) {
   OpenedWorld opened;
   opened.builder = std::make_unique<CloudBuilder>(device.info(), scene);
+  if (view && view->clouds == FirstClouds::later && stands_without_clouds(scene)) {
+    opened.with_clouds = scene;
+    scene::copy_clouds({}, scene);
+  }
   world::WorldParameters parameters = scene::prepare_shown_world(scene);
   cancel.throw_if_cancelled();
   if (parameters.clouds) {
@@ -62,6 +77,7 @@ OpenedWorld WorldOpening::open(const ocl::Device& device, scene::Scene scene, st
   show_view(*opened.world, view.value_or(FirstView{.time_s = scene.time.start_s}), scene.view.camera.eye_m);
   opened.world->see_clouds(scene.view.camera);
   device.finish();
+  if (opened.with_clouds) opened.with_clouds->view.camera = scene.view.camera;
   opened.scene = std::move(scene);
   return opened;
 }

@@ -23,15 +23,23 @@ struct OpeningStep {
   std::optional<double> share;  ///< of it that is done, where that is known
 };
 
+/// Whether a scene's first picture has its clouds.
+enum class FirstClouds {
+  at_once,
+  later,  ///< only if the rest stands without them: somebody makes them by the builder afterwards
+};
+
 /// What the first picture of a world shows, and how.
 struct FirstView {
   double time_s = 0.0;
   Quality quality = {};
+  FirstClouds clouds = FirstClouds::at_once;
 };
 
 /// A scene's world, with what goes with it.
 struct OpenedWorld {
-  scene::Scene scene;  ///< its camera placed
+  scene::Scene scene;                            ///< as it is shown, its camera placed
+  std::optional<scene::Scene> with_clouds = {};  ///< where clouds come later: the whole scene
   std::unique_ptr<CloudBuilder> builder;
   std::unique_ptr<world::World> world;
 };

@@ -107,7 +107,7 @@ LiveSeaSettings Viewer::sea_settings() {
 bool Viewer::is_sharp() const {
   glm::ivec2 window_px(0);
   glfwGetFramebufferSize(window(), &window_px.x, &window_px.y);
-  return !options_.recording && refinement_.is_complete(view(window_px));
+  return !options_.recording && refinement_.is_complete(view(window_px)) && !sea_.is_behind();
 }
 
 bool Viewer::is_at_rest() const {
@@ -382,6 +382,7 @@ void Viewer::fit(Camera& camera, glm::ivec2 window_px, Sharpness sharpness) cons
 
 std::optional<Sharpness> Viewer::next_picture(const ShownView& view) const {
   if (options_.recording) return Sharpness::quick;
+  if (sea_.is_behind()) return Sharpness::quick;
   return refinement_.next(view, glfwGetTime(), deed_s_);
 }
 

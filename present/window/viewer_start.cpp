@@ -26,7 +26,10 @@ LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& c
           .frame = frame_settings(options.detail.value_or(usual), options.transfer),
           .still = frame_settings(options.detail.value_or(Detail::high), options.transfer),
           .cancel = &cancel,
-          .first = FirstView{.time_s = options.time_s, .quality = quality}};
+          .first = FirstView{
+              .time_s = options.time_s,
+              .quality = quality,
+              .clouds = start_level(options, capabilities) > 0 ? FirstClouds::later : FirstClouds::at_once}};
 }
 
 ViewState start_state(const ViewOptions& options, const LiveSea& sea) {

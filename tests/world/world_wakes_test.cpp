@@ -60,6 +60,30 @@ TEST(WorldWakesTest, IsTheSameHoweverFramesFall) {
   EXPECT_EQ(steady.windows()[0].read_state().height_m, irregular.windows()[0].read_state().height_m);
 }
 
+// Fails if a wake that catches up in many frames ends as another one, never ends, or is not shown meanwhile.
+TEST(WorldWakesTest, CatchesUpWithItsHistory) {
+  const ocl::Device device = ocl::Device::open();
+  WorldWakes at_once(device, with_wake().wakes), in_parts(device, with_wake().wakes);
+  at_once.at(2.5, {});
+  EXPECT_FALSE(at_once.is_behind());
+  in_parts.set_most_steps(10);  // of the 120 of its history
+  int frames = 0;
+  do {
+    in_parts.at(2.5, {});
+    if (frames == 6) {
+      const double x_m = 4.0 * in_parts.windows()[0].time_s();
+      EXPECT_LT(x_m, 8.0) << "it has come too far";
+    }
+    ASSERT_LT(++frames, 20) << "it never catches up";
+  } while (in_parts.is_behind());
+  EXPECT_EQ(frames, 12);
+  EXPECT_EQ(in_parts.windows()[0].read_state().height_m, at_once.windows()[0].read_state().height_m);
+  // A window whose steps are shorter than frames stays with them.
+  in_parts.set_most_steps(1);
+  in_parts.at(2.9, {});
+  EXPECT_FALSE(in_parts.is_behind());
+}
+
 // Fails if a window about the eye stays where it was.
 TEST(WorldWakesTest, FollowsTheEye) {
   WorldParameters parameters = with_wake();

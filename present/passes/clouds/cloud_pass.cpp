@@ -39,7 +39,7 @@ void CloudPass::set_textures(const ocl::Device& device, const clouds::BillboardT
 }
 
 void CloudPass::fit(const ocl::Device& device, int width_px, int height_px) {
-  if (!cloud_image_) cloud_image_.emplace(device, clouds::billboard_textures());
+  if (!cloud_image_) cloud_image_.emplace(device, built_in_billboards());
   cloud_image_->fit(width_px, height_px);
 }
 
@@ -94,6 +94,11 @@ void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint en
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+}
+
+const clouds::BillboardTextures& built_in_billboards() {
+  static const clouds::BillboardTextures textures = clouds::billboard_textures();
+  return textures;
 }
 
 clouds::DrawnParticles drawn_clouds(const world::World& world) {

@@ -57,4 +57,7 @@ class CloudPass {
 /// The clouds of a world as the last World::see_clouds() sorted them, for CloudPass. The world has clouds.
 clouds::DrawnParticles drawn_clouds(const world::World& world);
 
+/// Offing's own textures of clouds, made at the first call: half a second of work for two cores.
+const clouds::BillboardTextures& built_in_billboards();
+
 }  // namespace offing::present
