@@ -169,7 +169,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
                                           ? render_store(arguments, settings, options)
                                           : render_map(arguments, settings, options);
   options.cancel.throw_if_cancelled();
-  write_png(arguments.output, picture.image, arguments.existing);
+  write_png(arguments.output, picture.image, arguments.existing, PngCompression::fast);
   if (!arguments.depth.empty()) {
     write_depth(arguments.depth, camera, picture.distances_m, arguments.existing);
   }
