@@ -8,6 +8,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/sky/moment_of_sun.h"
 
 namespace offing::sky {
 namespace {
@@ -74,18 +75,6 @@ double sidereal_time_rad(double julian_day) {
   return radians(std::fmod(mean_deg, 360.0)) + nutation_rad(t) * std::cos(obliquity_rad(t));
 }
 
-// How far air lifts a true elevation. Meeus eq. 16.4, which holds down to the horizon and has a pole at -5
-// degrees; from -1 degrees on, its value there falls off as 1 / tan.
-double refraction_rad(double elevation_rad, const Air& air) {
-  const double elevation_deg = std::max(degrees(elevation_rad), -1.0);
-  const double minutes = 1.02 / std::tan(radians(elevation_deg + 10.3 / (elevation_deg + 5.11)));
-  const double density = air.pressure_pa / 101'000.0 * 283.0 / air.temperature_k;
-  const double fade =
-      elevation_rad < radians(-1.0) ? std::tan(radians(1.0)) / std::abs(std::tan(elevation_rad)) : 1.0;
-  // The formula passes through zero just short of the zenith.
-  return radians(std::max(0.0, minutes) / 60.0) * density * std::min(fade, 1.0);
-}
-
 }  // namespace
 
 double julian_date(const UtcTime& time) {
@@ -114,21 +103,43 @@ ApparentSun apparent_sun(double julian_ephemeris_day) {
           1.000001018 * (1.0 - eccentricity * eccentricity) / (1.0 + eccentricity * std::cos(true_anomaly))};
 }
 
+// How far air lifts a true elevation. Meeus eq. 16.4, which holds down to the horizon and has a pole at -5
+// degrees; from -1 degrees on, its value there falls off as 1 / tan.
+double refraction_rad(double true_elevation_rad, const Air& air) {
+  const double elevation_deg = std::max(degrees(true_elevation_rad), -1.0);
+  const double minutes = 1.02 / std::tan(radians(elevation_deg + 10.3 / (elevation_deg + 5.11)));
+  const double density = air.pressure_pa / 101'000.0 * 283.0 / air.temperature_k;
+  const double fade = true_elevation_rad < radians(-1.0)
+                          ? std::tan(radians(1.0)) / std::abs(std::tan(true_elevation_rad))
+                          : 1.0;
+  // The formula passes through zero just short of the zenith.
+  return radians(std::max(0.0, minutes) / 60.0) * density * std::min(fade, 1.0);
+}
+
 std::array<double, 3> direction_of(double azimuth_rad, double elevation_rad) {
   const double level = std::cos(elevation_rad);
   return {level * std::sin(azimuth_rad), std::sin(elevation_rad), -level * std::cos(azimuth_rad)};
 }
 
+MomentOfSun sun_at(const UtcTime& time) {
+  const double day = julian_date(time);
+  return {apparent_sun(day + terrestrial_minus_utc_s / seconds_per_day), sidereal_time_rad(day)};
+}
+
 SunPosition sun_position(const UtcTime& time, const GeoPosition& position, const std::optional<Air>& air) {
+  return sun_position(sun_at(time), position, air);
+}
+
+SunPosition sun_position(const MomentOfSun& moment, const GeoPosition& position,
+                         const std::optional<Air>& air) {
   require_within("position.latitude_rad", position.latitude_rad, -0.5 * pi, 0.5 * pi);
   require_within("position.longitude_rad", position.longitude_rad, -2.0 * pi, 2.0 * pi);
   if (air) {
     require_within("air.pressure_pa", air->pressure_pa, 0.0, 120e3);
     require_within("air.temperature_k", air->temperature_k, 150.0, 350.0);
   }
-  const double day = julian_date(time);
-  const ApparentSun sun = apparent_sun(day + terrestrial_minus_utc_s / seconds_per_day);
-  const double hour_angle = sidereal_time_rad(day) + position.longitude_rad - sun.right_ascension_rad;
+  const ApparentSun& sun = moment.sun;
+  const double hour_angle = moment.sidereal_time_rad + position.longitude_rad - sun.right_ascension_rad;
 
   // The sun in the horizon's frame; atan2 of both sides stays exact at zenith and poles.
   const double sin_latitude = std::sin(position.latitude_rad), cos_latitude = std::cos(position.latitude_rad);

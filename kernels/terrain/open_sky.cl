@@ -4,20 +4,13 @@
 // each other, so that what is interpolated between four posts has seen 32.
 // In:  heights [rows][columns] m, maxima, field (shared/terrain.h); stride, posts from one share to the next.
 // Out: shares [share_rows][share_columns] of posts at multiples of the stride and of the last ones, 255 for all the light.
-#include "terrain/mean_slope.clh"
+#include "terrain/sky_light.clh"
 #include "terrain/traversal.clh"
 
 #define DIRECTIONS 8
 #define PI 3.14159265f
 // Walks begin so far above the ground, in the smaller side of a cell: rounding of places is 1e-6 of it.
 #define HORIZON_LIFT 0.001f
-
-// Light on a slope from one direction's share of a sky that is 1 everywhere: the integral of the cosine to its normal from
-// the horizon to the zenith. `slope` is the ground's own rise that way, `up` the cosine of its normal.
-INLINE lanes light_above(lanes horizon, lanes slope, lanes up) {
-  const lanes angle = atan(horizon), cosine2 = 1.0f / (1.0f + horizon * horizon), sine_cosine = horizon * cosine2;
-  return up * 0.5f * (cosine2 - slope * (0.5f * PI - angle - sine_cosine));
-}
 
 __kernel void open_sky(__global const float *restrict heights_m, __global const float *restrict maxima_m, TerrainField field,
                        int stride, int share_columns, __global uchar *restrict shares) {
@@ -53,8 +46,8 @@ __kernel void open_sky(__global const float *restrict heights_m, __global const 
                        (lanes)FARTHEST_M};
     const RaySetup ray_setup = ray_setup_of(field, rays);
     const lanes horizon = horizon_of(terrain, ray_setup, level_at_start(field, ray_setup, level));
-    sum += light_above(horizon, slope, up);
-    whole += light_above(fmax(slope, (lanes)0.0f), slope, up);
+    sum += sky_light_above(horizon, slope, up);
+    whole += sky_light_above(fmax(slope, (lanes)0.0f), slope, up);
   }
   float values[LANES];
   store_lanes(clamp(sum / whole, (lanes)0.0f, (lanes)1.0f), values);

@@ -2,6 +2,7 @@
 // arrive shifted. All members are of 4 bytes: the first, some and the last.
 #include <gtest/gtest.h>
 
+#include "kernels/shared/sun_blocks.h"
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_light_params.h"
 #include "kernels/shared/terrain_look.h"
@@ -60,6 +61,20 @@ TEST(TerrainLayoutTest, TerrainSight) {
                       {"cell_x", "eye_above_m", "bend_x_m", "radius_share_z"}),
             (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, eye_above_m), offsetof(S, bend_x_m),
                     offsetof(S, radius_share_z)}));
+}
+
+TEST(TerrainLayoutTest, BlockSun) {
+  using S = BlockSun;
+  EXPECT_EQ(
+      layout_of("shared/sun_blocks.h", "BlockSun", {"tangent", "share", "z", "beam_0", "hours", "next"}),
+      (Layout{sizeof(S), offsetof(S, tangent), offsetof(S, share), offsetof(S, z), offsetof(S, beam_0),
+              offsetof(S, hours), offsetof(S, next)}));
+}
+
+TEST(TerrainLayoutTest, SunBlock) {
+  using S = SunBlock;
+  EXPECT_EQ(layout_of("shared/sun_blocks.h", "SunBlock", {"middle_column", "middle_row", "middle_m"}),
+            (Layout{sizeof(S), offsetof(S, middle_column), offsetof(S, middle_row), offsetof(S, middle_m)}));
 }
 
 TEST(TerrainLayoutTest, TerrainLook) {
