@@ -15,6 +15,8 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options) {
   add_terrain_ray_command(*terrain, options);
   add_terrain_los_command(*terrain, options);
   add_terrain_viewshed_command(*terrain, options);
+  add_terrain_sky_command(*terrain, options);
+  add_terrain_sun_command(*terrain, options);
 }
 
 }  // namespace offing::cli

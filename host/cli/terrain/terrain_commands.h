@@ -37,4 +37,10 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options);
 /// `offing terrain viewshed FILE --observer X,Z -o out.tif`: which ground is seen from a point.
 void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options);
 
+/// `offing terrain sky FILE -o out.tif`: how much of the sky the ground sees, and its horizons.
+void add_terrain_sky_command(CLI::App& terrain, GlobalOptions& options);
+
+/// `offing terrain sun FILE --from DATE --to DATE -o out.tif`: hours of sun, sunlight, and shadows by time.
+void add_terrain_sun_command(CLI::App& terrain, GlobalOptions& options);
+
 }  // namespace offing::cli

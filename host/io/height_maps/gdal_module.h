@@ -20,6 +20,7 @@ struct GdalModule {
   decltype(&offing::write_byte_raster) write_byte_raster;
   decltype(&offing::write_post_raster) write_post_raster;
   decltype(&offing::create_height_raster) create_height_raster;
+  decltype(&offing::create_banded_raster) create_banded_raster;
   decltype(&offing::map_coordinates) map_coordinates;
   decltype(&offing::read_features) read_features;
   decltype(&offing::create_features) create_features;

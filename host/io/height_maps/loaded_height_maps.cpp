@@ -42,6 +42,11 @@ std::unique_ptr<HeightRasterWriter> create_height_raster(const std::filesystem::
   return gdal().create_height_raster(path, columns, rows, spacing_m, existing);
 }
 
+std::unique_ptr<BandedRasterWriter> create_banded_raster(const std::filesystem::path& path,
+                                                         const BandedRaster& raster, Existing existing) {
+  return gdal().create_banded_raster(path, raster, existing);
+}
+
 std::unique_ptr<MapCoordinates> map_coordinates(const MapFrame& map, const std::string& system,
                                                 const std::string& flag) {
   return gdal().map_coordinates(map, system, flag);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <string>
 #include <variant>
 
 #include <cpl_string.h>
@@ -33,6 +34,7 @@ struct NewRaster {
   GDALDataType type;
   Georeference georeference;  ///< posts stand at the centres of samples
   std::initializer_list<const char*> options;
+  int bands = 1;
 };
 
 /// Throws Error(file) with what GDAL has said.
@@ -41,14 +43,14 @@ struct NewRaster {
               "check the free space on the disk, or name another file");
 }
 
-/// Makes a raster of one band. Throws Error(file).
+/// Makes a raster. Throws Error(file).
 Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
   const GDALDriverH driver = GDALGetDriverByName("GTiff");
   if (driver == nullptr) fail_to_write(raster.name, session);
   StringList options;
   for (const char* option : raster.options) options.reset(CSLAddString(options.release(), option));
-  Dataset dataset(GDALCreate(driver, raster.temporary.c_str(), raster.columns, raster.rows, 1, raster.type,
-                             options.get()));
+  Dataset dataset(GDALCreate(driver, raster.temporary.c_str(), raster.columns, raster.rows, raster.bands,
+                             raster.type, options.get()));
   if (!dataset) fail_to_write(raster.name, session);
   const Georeference& place = raster.georeference;
   if (place.step_x != 0.0) {
@@ -109,7 +111,85 @@ class GeoTiffWriter : public HeightRasterWriter {
   Dataset dataset_;
 };
 
+/// Marks what a band holds. Returns whether GDAL takes it.
+bool describe(GDALRasterBandH band, const std::optional<double>& nodata, const std::string& unit,
+              const std::string& description) {
+  if (!unit.empty()) GDALSetRasterUnitType(band, unit.c_str());
+  if (!description.empty()) GDALSetDescription(band, description.c_str());
+  return !nodata || GDALSetRasterNoDataValue(band, *nodata) == CE_None;
+}
+
+/// Several may be open at once: each call has a session of its own, which hears what fails in it.
+class BandedGeoTiff : public BandedRasterWriter {
+ public:
+  BandedGeoTiff(const std::filesystem::path& path, const BandedRaster& raster, Existing existing)
+      : path_(path), file_(path, existing), columns_(raster.columns) {
+    const GdalSession session;
+    const std::string block_rows = fmt::format("BLOCKYSIZE={}", raster.rows_at_once);
+    dataset_ = create_raster({.name = path_,
+                              .temporary = file_.temporary(),
+                              .columns = raster.columns,
+                              .rows = raster.rows,
+                              .type = raster.has_bytes ? GDT_Byte : GDT_Float32,
+                              .georeference = raster.georeference,
+                              .options = {"COMPRESS=DEFLATE", "ZLEVEL=1", "TILED=YES", "INTERLEAVE=BAND",
+                                          "BIGTIFF=IF_SAFER", "BLOCKXSIZE=256", block_rows.c_str()},
+                              .bands = static_cast<int>(raster.bands.size())},
+                             session);
+    int number = 1;
+    for (const BandedRaster::Band& band : raster.bands) {
+      if (!describe(GDALGetRasterBand(dataset_.get(), number++), raster.nodata, band.unit,
+                    band.description)) {
+        fail_to_write(path_, session);
+      }
+    }
+  }
+
+  BandedGeoTiff(const BandedGeoTiff&) = delete;
+  BandedGeoTiff& operator=(const BandedGeoTiff&) = delete;
+  ~BandedGeoTiff() override {
+    const GdalSession session;  // what fails now was told before
+    dataset_.reset();
+  }
+
+  void write(std::size_t band, int first_row, std::span<const float> values) override {
+    write_rows(band, first_row, values.data(), values.size(), GDT_Float32);
+  }
+  void write(std::size_t band, int first_row, std::span<const std::uint8_t> values) override {
+    write_rows(band, first_row, values.data(), values.size(), GDT_Byte);
+  }
+
+  void commit() override {
+    const GdalSession session;
+    GDALFlushCache(dataset_.get());
+    dataset_.reset();
+    if (session.has_failed()) fail_to_write(path_, session);
+    file_.commit();
+  }
+
+ private:
+  void write_rows(std::size_t band, int first_row, const void* values, std::size_t count, GDALDataType type) {
+    const GdalSession session;
+    const int rows = static_cast<int>(count / static_cast<std::size_t>(columns_));
+    // GDAL takes what it only reads without const.
+    const CPLErr result =
+        GDALRasterIO(GDALGetRasterBand(dataset_.get(), static_cast<int>(band) + 1), GF_Write, 0, first_row,
+                     columns_, rows, const_cast<void*>(values), columns_, rows, type, 0, 0);
+    if (result != CE_None || session.has_failed()) fail_to_write(path_, session);
+  }
+
+  std::filesystem::path path_;
+  AtomicFile file_;
+  int columns_;
+  Dataset dataset_;
+};
+
 }  // namespace
+
+std::unique_ptr<BandedRasterWriter> create_banded_raster(const std::filesystem::path& path,
+                                                         const BandedRaster& raster, Existing existing) {
+  return std::make_unique<BandedGeoTiff>(path, raster, existing);
+}
 
 void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster, Existing existing) {
   write_post_raster(path,
@@ -146,9 +226,7 @@ void write_post_raster(const std::filesystem::path& path, const PostRaster& rast
                      .options = {"COMPRESS=DEFLATE", "ZLEVEL=1", "TILED=YES", "BIGTIFF=IF_SAFER"}},
                     session);
   const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
-  const bool is_marked = !raster.nodata || GDALSetRasterNoDataValue(band, *raster.nodata) == CE_None;
-  if (!raster.unit.empty()) GDALSetRasterUnitType(band, raster.unit.c_str());
-  if (!raster.description.empty()) GDALSetDescription(band, raster.description.c_str());
+  const bool is_marked = describe(band, raster.nodata, raster.unit, raster.description);
   // GDAL takes what it only reads without const.
   auto* const values = std::visit(
       [](const auto& of) { return const_cast<void*>(static_cast<const void*>(of.data())); }, raster.values);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "host/base/height_map.h"
 #include "host/io/atomic_file.h"
@@ -38,6 +40,39 @@ void write_byte_raster(const std::filesystem::path& path, const ByteRaster& rast
                        Existing existing = Existing::replace);
 void write_post_raster(const std::filesystem::path& path, const PostRaster& raster,
                        Existing existing = Existing::replace);
+
+/// A raster of several bands at the posts of a height map, to be written some rows at a time.
+struct BandedRaster {
+  int columns = 0, rows = 0;
+  int rows_at_once = 64;   ///< multiple of 16: parts begin at multiples of it, and only the last is shorter
+  bool has_bytes = false;  ///< or else floats
+  Georeference georeference;     ///< of the map; step 0 where it has none
+  std::optional<double> nodata;  ///< what marks posts without an answer
+  struct Band {
+    std::string unit, description;  ///< empty: none
+  };
+  std::vector<Band> bands;
+};
+
+/// Writes a GeoTIFF part by part, whole or not at all. Each sample has its post at its centre.
+class BandedRasterWriter {
+ public:
+  BandedRasterWriter() = default;
+  BandedRasterWriter(const BandedRasterWriter&) = delete;
+  BandedRasterWriter& operator=(const BandedRasterWriter&) = delete;
+  virtual ~BandedRasterWriter() = default;
+
+  /// Whole rows [rows][columns] of a band. Throws Error(file).
+  virtual void write(std::size_t band, int first_row, std::span<const float> values) = 0;
+  virtual void write(std::size_t band, int first_row, std::span<const std::uint8_t> values) = 0;
+  /// Publishes the file under its name. Throws Error(file).
+  virtual void commit() = 0;
+};
+
+/// Throws Error(file) if it cannot be written.
+std::unique_ptr<BandedRasterWriter> create_banded_raster(const std::filesystem::path& path,
+                                                         const BandedRaster& raster,
+                                                         Existing existing = Existing::replace);
 
 /// Heights that are written as a GeoTIFF of floats, row by row, whole or not at all.
 class HeightRasterWriter {
