@@ -578,6 +578,37 @@ OffingStatus offing_read_point_file(const OffingPointFile* points, double* place
 OffingStatus offing_read_point_attribute(const OffingPointFile* points, const char* name, double* values,
                                          size_t count);
 
+/** Settings of sky views; zeros are the usual ones. */
+typedef struct OffingSkyView {
+  size_t size;                       /**< sizeof(OffingSkyView) */
+  int azimuths;                      /**< in which horizons are found, from the map's north; 0: 64 */
+  double earth_radius_m, refraction; /**< as in OffingTerrainQuery */
+} OffingSkyView;
+/** Computes the sky-view factor of each post, factors [rows][columns], and its horizons, rises
+ * [azimuths][rows][columns]: tangents of the angles up from level, never below 0. Azimuths go clockwise from
+ * north. Either may be NULL. A factor is the light of an evenly bright sky on the ground as it slopes, as a
+ * share of that on level ground in the open. Horizons are up to 0.001 too low. `sky` may be NULL. `count`
+ * must be rows * columns. */
+OffingStatus offing_compute_sky_view(OffingTerrain* terrain, const OffingSkyView* sky, float* factors,
+                                     float* rises, size_t count);
+
+/** When the sun is looked at, and through which air. */
+typedef struct OffingSunHours {
+  size_t size;                        /**< sizeof(OffingSunHours) */
+  int64_t from_s, to_s;               /**< since 1970-01-01T00:00Z, within 1900 to 2100 */
+  int64_t step_s;                     /**< 0: 3600; at most 100000 steps */
+  double turbidity;                   /**< of Linke, 1 to 20; 0: 3 */
+  int has_place;                      /**< 1: the place below is that of the whole map, instead of its own */
+  double latitude_rad, longitude_rad; /**< WGS 84, north and east positive */
+  int azimuths;                       /**< as in OffingSkyView */
+  double earth_radius_m, refraction;  /**< as in OffingTerrainQuery */
+} OffingSunHours;
+/** Computes the hours of sun of each post, and the direct sunlight there under a clear sky; both
+ * [rows][columns]. The latter is in kWh for each square metre of ground as it slopes. docs/terrain.md has the
+ * definitions. `count` must be rows * columns. */
+OffingStatus offing_compute_sun_hours(OffingTerrain* terrain, const OffingSunHours* when, float* hours,
+                                      float* energy_kwh, size_t count);
+
 /* Floating bodies of a world: the [[body]] sections of its scene, in order. Body axes are x forward, y up,
  * z to starboard, with the origin in the mass centre. */
 

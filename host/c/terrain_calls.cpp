@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -16,10 +18,13 @@
 #include "host/io/height_maps/map_coordinates.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
+#include "host/scene/prepare/maps/terrain_sun.h"
+#include "host/terrain/analysis/horizons.h"
 #include "host/terrain/analysis/line_of_sight.h"
 #include "host/terrain/analysis/many_viewsheds.h"
 #include "host/terrain/analysis/sight_counts.h"
 #include "host/terrain/analysis/sight_limits.h"
+#include "host/terrain/analysis/sky_view.h"
 #include "host/terrain/analysis/viewshed.h"
 
 using offing::Error;
@@ -249,6 +254,17 @@ void write_counts(const OffingSightCounts& wanted, const offing::terrain::SightC
   if (wanted.best != nullptr) std::ranges::copy(best.observers, wanted.best);
   write_each(wanted.best_posts, best.seen_posts);
   if (wanted.is_best_exhaustive != nullptr) *wanted.is_best_exhaustive = best.is_exhaustive ? 1 : 0;
+}
+
+int azimuths_of(int azimuths) {
+  return azimuths == 0 ? offing::terrain::usual_azimuths : azimuths;
+}
+
+/// Where the posts of a band of rows begin among all, and how many they are.
+std::pair<std::size_t, std::size_t> posts_of_band(const OffingTerrain& terrain,
+                                                  const offing::terrain::RowBand& band) {
+  const auto columns = static_cast<std::size_t>(terrain.file.map.columns);
+  return {static_cast<std::size_t>(band.first_row) * columns, static_cast<std::size_t>(band.rows) * columns};
 }
 
 offing::terrain::HitNormals normals_of(const OffingTerrainQuery& query) {
@@ -517,5 +533,53 @@ OffingStatus offing_count_viewsheds(OffingTerrain* terrain, const OffingViewshed
           watched.work().tell(static_cast<double>(observer + 1) / static_cast<double>(all.size()));
         });
     write_counts(wanted, found, watched.cancel());
+  });
+}
+
+OffingStatus offing_compute_sky_view(OffingTerrain* terrain, const OffingSkyView* sky, float* factors,
+                                     float* rises, size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    OffingSkyView asked{};
+    if (sky != nullptr) asked = offing::c::read_struct(sky, "sky");
+    offing::c::require_count("count", count, terrain->post_count());
+    offing::terrain::Horizons horizons(terrain->device, terrain->field, azimuths_of(asked.azimuths), {},
+                                       curve_of(asked.earth_radius_m, asked.refraction));
+    offing::terrain::SkyView view(terrain->device, horizons);
+    for (const offing::terrain::RowBand& band : horizons.bands()) {
+      const auto [first, posts] = posts_of_band(*terrain, band);
+      horizons.at(band);
+      if (factors != nullptr) view.read(band, std::span(factors + first, posts));
+      for (int i = 0; rises != nullptr && i < horizons.azimuths(); ++i) {
+        const auto number = static_cast<std::size_t>(i);
+        horizons.read(number, std::span(rises + number * count + first, posts));
+      }
+    }
+  });
+}
+
+OffingStatus offing_compute_sun_hours(OffingTerrain* terrain, const OffingSunHours* when, float* hours,
+                                      float* energy_kwh, size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    require(when, "when");
+    require(hours, "hours");
+    require(energy_kwh, "energy_kwh");
+    const OffingSunHours asked = offing::c::read_struct(when, "when");
+    offing::c::require_count("count", count, terrain->post_count());
+    offing::scene::SunSettings settings{.from_s = asked.from_s,
+                                        .to_s = asked.to_s,
+                                        .azimuths = azimuths_of(asked.azimuths),
+                                        .curve = curve_of(asked.earth_radius_m, asked.refraction)};
+    if (asked.step_s != 0) settings.step_s = asked.step_s;
+    if (asked.turbidity != 0.0) settings.linke_turbidity = asked.turbidity;
+    std::optional<offing::sky::GeoPosition> place;
+    if (asked.has_place != 0) place = {asked.latitude_rad, asked.longitude_rad};
+    offing::scene::TerrainSun sun(terrain->device, terrain->field, terrain->file.map,
+                                  offing::frame_of("terrain", terrain->file.map), place, settings);
+    for (const offing::terrain::RowBand& band : sun.bands()) {
+      const auto [first, posts] = posts_of_band(*terrain, band);
+      sun.read(band, std::span(hours + first, posts), std::span(energy_kwh + first, posts));
+    }
   });
 }

@@ -1,7 +1,8 @@
-"""Terrain: height maps, rays, lines of sight and viewsheds."""
+"""Terrain: height maps, rays, lines of sight, viewsheds, sky and sun."""
 
 from __future__ import annotations
 
+import datetime
 import math
 import os
 from typing import NamedTuple
@@ -33,6 +34,13 @@ class Hits(NamedTuple):
     point_m: np.ndarray  # [n, 3]; NaN: nothing hit
     normal: np.ndarray  # [n, 3], unit; NaN: nothing hit
     kind: np.ndarray  # [n], index into offing.HIT_KINDS. side: the map's edge; inside: the ray starts below ground
+
+
+class SunHours(NamedTuple):
+    """The sun over a terrain in some time."""
+
+    hours: np.ndarray  # [rows, columns]
+    energy_kwh: np.ndarray  # [rows, columns], direct sunlight for each square metre of ground as it slopes
 
 
 class SightLines(NamedTuple):
@@ -180,6 +188,28 @@ class Terrain:
             for pair in settings[:, i:i + 2]:
                 _require_angles(name, pair, every)
         return SightCounts(*self._terrain.count_viewsheds(points_m, settings, earth_radius_m, refraction, best, progress))
+
+    def sky_view(self, *, azimuths: int = 64, earth_radius_m: float = 0.0, refraction: float = 0.13) -> np.ndarray:
+        """The sky-view factor of each post, [rows, columns]. It is the light of an evenly bright sky on the ground as it
+        slopes, as a share of that on level ground in the open."""
+        return self._terrain.sky_view(azimuths, earth_radius_m, refraction)
+
+    def horizons(self, *, azimuths: int = 64, earth_radius_m: float = 0.0, refraction: float = 0.13) -> np.ndarray:
+        """The horizon of each post, [azimuths, rows, columns], clockwise from north: tangents of the angles up from level,
+        never below 0."""
+        return self._terrain.horizons(azimuths, earth_radius_m, refraction)
+
+    def sun_hours(self, start: datetime.datetime, end: datetime.datetime, *, step_s: int = 3600, turbidity: float = 3.0,
+                  latitude_deg: float | None = None, longitude_deg: float | None = None, azimuths: int = 64,
+                  earth_radius_m: float = 0.0, refraction: float = 0.13) -> SunHours:
+        """The SunHours from start to end, looking at the sun every step_s. Times without a zone are UTC. turbidity is that of
+        Linke. A terrain that is no file with a place in the world needs a latitude and a longitude."""
+        if (latitude_deg is None) != (longitude_deg is None):
+            raise BadInput("place: expected a latitude and a longitude, got one of them", "pass both")
+        place = None if latitude_deg is None else (math.radians(latitude_deg), math.radians(longitude_deg))
+        times = [time.replace(tzinfo=time.tzinfo or datetime.timezone.utc).timestamp() for time in (start, end)]
+        return SunHours(*self._terrain.sun_hours(round(times[0]), round(times[1]), step_s, turbidity, place, azimuths,
+                                                 earth_radius_m, refraction))
 
     def to_local(self, places: npt.ArrayLike, crs: str = "lonlat") -> np.ndarray:
         """Places [n, 2] of a coordinate system as x and z in m on the map. crs is "map" (the map's own coordinates), "lonlat"

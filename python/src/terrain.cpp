@@ -1,7 +1,8 @@
-// Terrain: height maps, rays, lines of sight and viewsheds.
+// Terrain: height maps, rays, lines of sight, viewsheds, sky and sun.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -230,6 +231,50 @@ class Terrain {
                           is_exhaustive != 0);
   }
 
+  nb::ndarray<nb::numpy, float> sky_view(int azimuths, double earth_radius_m, double refraction) {
+    const auto [rows, columns] = shape();
+    auto factors = new_array<float>({rows, columns});
+    const OffingSkyView wanted{sizeof wanted, azimuths, earth_radius_m, refraction};
+    run([&] {
+      return offing_compute_sky_view(terrain_.get(), &wanted, factors.data(), nullptr, rows * columns);
+    });
+    return factors;
+  }
+
+  nb::ndarray<nb::numpy, float> horizons(int azimuths, double earth_radius_m, double refraction) {
+    const auto [rows, columns] = shape();
+    auto rises = new_array<float>({static_cast<std::size_t>(std::max(azimuths, 0)), rows, columns});
+    const OffingSkyView wanted{sizeof wanted, azimuths, earth_radius_m, refraction};
+    run([&] {
+      return offing_compute_sky_view(terrain_.get(), &wanted, nullptr, rises.data(), rows * columns);
+    });
+    return rises;
+  }
+
+  std::pair<nb::ndarray<nb::numpy, float>, nb::ndarray<nb::numpy, float>> sun_hours(
+      std::int64_t from_s, std::int64_t to_s, std::int64_t step_s, double turbidity,
+      std::optional<std::pair<double, double>> place_rad, int azimuths, double earth_radius_m,
+      double refraction) {
+    const auto [rows, columns] = shape();
+    auto hours = new_array<float>({rows, columns}), energy_kwh = new_array<float>({rows, columns});
+    OffingSunHours wanted{};
+    wanted.size = sizeof wanted;
+    wanted.from_s = from_s;
+    wanted.to_s = to_s;
+    wanted.step_s = step_s;
+    wanted.turbidity = turbidity;
+    wanted.has_place = place_rad ? 1 : 0;
+    if (place_rad) std::tie(wanted.latitude_rad, wanted.longitude_rad) = *place_rad;
+    wanted.azimuths = azimuths;
+    wanted.earth_radius_m = earth_radius_m;
+    wanted.refraction = refraction;
+    run([&] {
+      return offing_compute_sun_hours(terrain_.get(), &wanted, hours.data(), energy_kwh.data(),
+                                      rows * columns);
+    });
+    return {std::move(hours), std::move(energy_kwh)};
+  }
+
  private:
   explicit Terrain(OffingTerrain* terrain) : terrain_(terrain) {}
 
@@ -286,6 +331,10 @@ void bind_terrain(nb::module_& module) {
            "radius_m"_a, "earth_radius_m"_a, "refraction"_a, "azimuth_rad"_a, "elevation_rad"_a)
       .def("count_viewsheds", &Terrain::count_viewsheds, "points_m"_a, "settings"_a, "earth_radius_m"_a,
            "refraction"_a, "best_count"_a, "progress"_a.none())
+      .def("sky_view", &Terrain::sky_view, "azimuths"_a, "earth_radius_m"_a, "refraction"_a)
+      .def("horizons", &Terrain::horizons, "azimuths"_a, "earth_radius_m"_a, "refraction"_a)
+      .def("sun_hours", &Terrain::sun_hours, "from_s"_a, "to_s"_a, "step_s"_a, "turbidity"_a,
+           "place_rad"_a.none(), "azimuths"_a, "earth_radius_m"_a, "refraction"_a)
       .def("to_local", &Terrain::to_local, "places"_a, "system"_a)
       .def("from_local", &Terrain::from_local, "places_m"_a, "system"_a);
   module.def("read_points", &read_points, "file"_a, "layer"_a);

@@ -1,4 +1,5 @@
 // Terrain of the C interface against the classes behind it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,9 +12,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/base/utc_time.h"
 #include "host/c/handles.h"
 #include "host/c/offing.h"
+#include "host/scene/prepare/maps/terrain_sun.h"
+#include "host/terrain/analysis/horizons.h"
 #include "host/terrain/analysis/line_of_sight.h"
+#include "host/terrain/analysis/sky_view.h"
 #include "host/terrain/analysis/viewshed.h"
 #include "host/terrain/field/height_field.h"
 #include "tests/c/sized.h"
@@ -233,6 +238,48 @@ TEST_F(TerrainCallsTest, ComputesViewsheds) {
   EXPECT_EQ(seen, due.read());
   EXPECT_THAT(seen, testing::Contains(255));
   EXPECT_THAT(seen, testing::Contains(0));
+}
+
+// Fails if factors, horizons or hours are not those of the library, zeros are not the usual settings, or a
+// terrain without a place in the world gets a sun.
+TEST_F(TerrainCallsTest, ComputesSkyAndSun) {
+  const std::size_t posts = map_.heights_m.size();
+  auto sky = sized<OffingSkyView>();
+  sky.azimuths = 12;
+  std::vector<float> factors(posts), rises(12 * posts), one(posts);
+  ASSERT_EQ(offing_compute_sky_view(terrain_, &sky, factors.data(), rises.data(), posts), OFFING_OK)
+      << offing_last_error();
+  const ocl::Device device = ocl::Device::open();
+  const terrain::HeightField reference(device, terrain::post_grid(map_), map_.heights_m);
+  terrain::Horizons horizons(device, reference, 12);
+  horizons.at({0, rows});
+  horizons.read(3, one);
+  EXPECT_TRUE(std::equal(one.begin(), one.end(), rises.begin() + static_cast<std::ptrdiff_t>(3 * posts)));
+  terrain::SkyView(device, horizons).read({0, rows}, one);
+  EXPECT_EQ(factors, one);
+  EXPECT_EQ(offing_compute_sky_view(terrain_, nullptr, factors.data(), nullptr, posts), OFFING_OK);
+
+  auto when = sized<OffingSunHours>();
+  when.from_s = unix_seconds({.year = 2026, .month = 6, .day = 21, .hour = 0});
+  when.to_s = when.from_s + 86400;
+  std::vector<float> hours(posts), energy(posts), other(posts);
+  EXPECT_EQ(offing_compute_sun_hours(terrain_, &when, hours.data(), energy.data(), posts), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("terrain"));
+  when.has_place = 1;
+  when.latitude_rad = 0.8;
+  ASSERT_EQ(offing_compute_sun_hours(terrain_, &when, hours.data(), energy.data(), posts), OFFING_OK)
+      << offing_last_error();
+  scene::TerrainSun sun(device, reference, map_, frame_of("map", map_), sky::GeoPosition{0.8, 0.0},
+                        {.from_s = when.from_s, .to_s = when.to_s});
+  sun.read({0, rows}, one, other);
+  EXPECT_EQ(hours, one);
+  EXPECT_EQ(energy, other);
+  EXPECT_THAT(hours, testing::Contains(testing::Gt(15.0f)));
+  when.step_s = -5;
+  EXPECT_EQ(offing_compute_sun_hours(terrain_, &when, hours.data(), energy.data(), posts), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("step_s"));
+  EXPECT_EQ(offing_compute_sun_hours(terrain_, &when, hours.data(), energy.data(), posts - 1),
+            OFFING_BAD_INPUT);
 }
 
 // Fails if the angles of a viewshed do nothing, or zeros are no whole turn: north-east of the observer are

@@ -1,5 +1,6 @@
 """Terrain, bodies, clouds and meshes of the Python package, with numpy alone."""
 
+import datetime
 import json
 import os
 import pathlib
@@ -76,6 +77,31 @@ class TerrainTest(unittest.TestCase):
             self.ridge.count_viewsheds(points_m, radius_m=[1.0, 2.0])
         with self.assertRaises(offing.Cancelled):
             self.ridge.count_viewsheds(points_m, progress=lambda share: share < 0.5)
+
+    # Fails if rows, azimuths or hours are exchanged, times are local, or a flag does nothing: behind the ridge the sun of
+    # December is low in the south, and the horizon there is the ridge.
+    def test_sky_and_sun(self):
+        sky, horizons = self.ridge.sky_view(azimuths=16), self.ridge.horizons(azimuths=16)
+        self.assertEqual((sky.shape, horizons.shape), ((101, 101), (16, 101, 101)))
+        self.assertLess(sky[44, 50], sky[10, 50])
+        self.assertLess(horizons[0, 30, 50], 0.01)
+        self.assertGreater(horizons[8, 30, 50], 0.2)
+        day = datetime.datetime(2026, 12, 21), datetime.datetime(2026, 12, 22)
+        place = {"latitude_deg": 46.5, "longitude_deg": 8.0}
+        sun = self.ridge.sun_hours(*day, **place, step_s=900)
+        self.assertEqual((sun.hours.shape, sun.energy_kwh.dtype), ((101, 101), np.float32))
+        self.assertAlmostEqual(sun.hours[50, 50], 8.53, delta=0.1)
+        self.assertLess(sun.hours[42, 50], 5.0)
+        self.assertLess(self.ridge.sun_hours(*day, **place, turbidity=6.0).energy_kwh[50, 50], 0.7 * sun.energy_kwh[50, 50])
+        zone = datetime.timezone(datetime.timedelta(hours=1))
+        morning = [datetime.datetime(2026, 12, 21, hour, tzinfo=zone) for hour in (0, 12)]
+        self.assertAlmostEqual(self.ridge.sun_hours(*morning, **place, step_s=900).hours[50, 50], 3.9, delta=0.15)
+        with self.assertRaisesRegex(offing.BadInput, "where it lies|place in the world"):
+            self.ridge.sun_hours(*day)
+        with self.assertRaisesRegex(offing.BadInput, "latitude and a longitude"):
+            self.ridge.sun_hours(*day, latitude_deg=46.5)
+        with self.assertRaisesRegex(offing.BadInput, "azimuths"):
+            self.ridge.sky_view(azimuths=3)
 
     # Fails if longitude and latitude change places, or the way back leads elsewhere.
     def test_places(self):
