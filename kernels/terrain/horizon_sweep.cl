@@ -109,7 +109,7 @@ INLINE void mark_lines(Fan fan, int first_line, int last_line, uchar mark, __glo
 // The cells aside that a fan crosses from `near` to `far`, and those that rounding adds.
 INLINE int2 cells_between(Fan fan, float near, float far) {
   const float first = min(fan.first_slope * near, fan.first_slope * far), last = fan.last_slope * far;
-  const float2 ends = (float2)(first, last) + fan.minor.fraction + (float2)(-0.01f, 0.01f);
+  const float2 ends = (float2)(first, last) + fan.minor.fraction + (0.01f + 5e-7f * far) * (float2)(-1.0f, 1.0f);
   return clamp(convert_int2(floor(ends)), (int2)0, (int2)(fan.minor.last - 1));
 }
 
@@ -133,7 +133,7 @@ INLINE int last_hidden_line(Fan fan, TerrainField field, TerrainSight sight, __g
     }
     const float most_m = ((maximum_m - sight.eye_m) - sight.eye_rest_m) + sight.target_above_m;
     const float rise = most_m / (most_m > 0.0f ? near : far), fall = fan.least_bend_m * near;
-    const float margin = 4.0f * ROUNDING * (fabs(rise) + fall + fabs(horizon));
+    const float margin = 4.0f * ROUNDING * (fabs(rise) + sight.target_above_m / near + fall + fabs(horizon));
     if (rise - fall + margin < horizon) return line - 1 + (1 << level);
   }
   return line - 1;

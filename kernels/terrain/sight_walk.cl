@@ -62,9 +62,9 @@ __kernel void sight_walk(__global const float *restrict heights_m, __global cons
                                                 (lanes)sight.eye_m);
   __global uchar *of_row = seen + (size_t)row * field.columns;
 #if LANES > 1
-  // Columns that are within the radius, and some more.
+  // Columns that are within the radius, by more than rounding, and some more.
   if (sight.radius_share_x > 0.0f) {
-    const float reach = min(sqrt(max(1.0f - far_z, 0.0f) / sight.radius_share_x) + 2.0f, 1e9f);
+    const float reach = min(sqrt((max(1.0f - far_z, 0.0f) + 4e-7f) / sight.radius_share_x) + 2.0f, 1e9f);
     const int first_near = clamp(sight.cell_x - (int)reach, first, end);
     const int end_near = far_z > 1.0f ? first_near : clamp(sight.cell_x + (int)reach + 2, first_near, end);
     hide_posts(of_row, first, first_near);

@@ -126,9 +126,11 @@ void mark_outside(const PostGrid& grid, std::span<const float> heights_m,
     // Columns that may be within the radius: some more, so that no rounding matters.
     int first = 0, end = grid.columns;
     if (has_radius) {
-      constexpr double spare = 2.0;
+      constexpr double spare = 2.0, rounding = 4e-7;
       const double reach =
-          std::sqrt(std::max(radius_squared - south_m * south_m, 0.0)) / grid.spacing_x_m + spare;
+          std::sqrt(std::max(radius_squared - south_m * south_m, 0.0) + rounding * radius_squared) /
+              grid.spacing_x_m +
+          spare;
       const double middle = x_m / grid.spacing_x_m, last = grid.columns;
       first = static_cast<int>(std::clamp(middle - reach, 0.0, last));
       end = static_cast<int>(std::clamp(middle + reach + 1.0, 0.0, last));
