@@ -532,8 +532,8 @@ typedef struct OffingObservers {
   const double* observer_height_m; /**< [count] or NULL */
   const double* target_height_m;   /**< [count] or NULL */
   const double* radius_m;          /**< [count] or NULL; 0: no limit */
-  const double* azimuth_rad;       /**< [count][2] or NULL, where sectors begin and end */
-  const double* elevation_rad;     /**< [count][2] or NULL, lowest and highest lines of sight */
+  const double* azimuth_rad;       /**< [count][2] or NULL, as in OffingViewshed; both 0: the whole turn */
+  const double* elevation_rad;     /**< [count][2] or NULL, as in OffingViewshed; both 0: all */
 } OffingObservers;
 /** Where offing_count_viewsheds() writes. */
 typedef struct OffingSightCounts {
@@ -545,7 +545,7 @@ typedef struct OffingSightCounts {
   uint64_t* only_posts;    /**< [observers], posts that no other observer sees */
   size_t best_count;       /**< observers to choose that together see the most, at most all; 0: none */
   size_t* best;            /**< [best_count], indices of observers; each adds the most to those before it */
-  uint64_t* best_posts;    /**< [best_count], posts that the first see, the first two, and so on */
+  uint64_t* best_posts;    /**< [best_count], posts seen by the first, the first two, ... */
   int* is_best_exhaustive; /**< 1: all choices were compared; 0: the next best one was added each time */
 } OffingSightCounts;
 /** Counts which posts several observers see. An observer alone sees what offing_compute_viewshed() writes.
@@ -563,7 +563,8 @@ typedef struct OffingPointFileInfo {
   const char* coordinate_system; /**< as offing_places_to_terrain() takes it; "" if the layer names none */
   const char* layer;             /**< its name */
 } OffingPointFileInfo;
-/** Reads the points of a GeoPackage (.gpkg) or GeoJSON (.geojson, .json). NULL or "" is the only layer. */
+/** Reads the points of a GeoPackage (.gpkg) or GeoJSON (.geojson, .json). NULL or "": the layer,
+ * if there is only one. Fails if the layer has no points, or other geometry. */
 OffingStatus offing_open_point_file(const char* file, const char* layer, OffingPointFile** points);
 /** Frees the points. */
 void offing_free_point_file(OffingPointFile* points);
@@ -571,8 +572,9 @@ void offing_free_point_file(OffingPointFile* points);
 OffingStatus offing_get_point_file_info(const OffingPointFile* points, OffingPointFileInfo* info);
 /** The name of an attribute; "" if there is none. Valid until the points are freed. */
 const char* offing_point_attribute_name(const OffingPointFile* points, size_t attribute);
-/** Reads the places [count][2] of all points, east before north, and their z [count]; NaN: no z. Either may
- * be NULL. `count` must be that of the points. offing_places_to_terrain() converts the places. */
+/** Reads the places [count][2] of all points, east before north, in the units of their coordinate system, and
+ * their heights z [count], as in the file; NaN: no height. Either may be NULL. `count` must be that of the
+ * points. offing_places_to_terrain() converts the places. */
 OffingStatus offing_read_point_file(const OffingPointFile* points, double* places, double* z, size_t count);
 /** Reads an attribute of all points as numbers [count]; NaN: none, or a text. */
 OffingStatus offing_read_point_attribute(const OffingPointFile* points, const char* name, double* values,

@@ -174,7 +174,8 @@ class Terrain:
                         refraction: float = 0.13, azimuth_deg: npt.ArrayLike = (0.0, 360.0),
                         elevation_deg: npt.ArrayLike = (-90.0, 90.0), best: int = 0, progress=None) -> SightCounts:
         """The SightCounts of observers at points [n, 2] of x and z in m. The other values are those of viewshed(), for all
-        observers or for each: [n] numbers, [n, 2] angles. `best` is how many observers to choose. progress(share) is called
+        observers or for each: [n] numbers, [n, 2] angles. `best` is how many observers to choose. Takes a bit for each post
+        and observer, 8 GiB at most. progress(share) is called
         as the work goes on and stops it by returning False."""
         points_m = rows("points_m", points_m, 2)
         count = len(points_m)

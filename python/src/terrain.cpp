@@ -307,7 +307,7 @@ nb::tuple read_points(const std::filesystem::path& file, const std::string& laye
     const char* const name = offing_point_attribute_name(points.get(), i);
     auto values = new_array<double>({info.count});
     run([&] { return offing_read_point_attribute(points.get(), name, values.data(), info.count); });
-    attributes[name] = values;
+    attributes[str_of(name)] = values;
   }
   return nb::make_tuple(places, z, str_of(info.coordinate_system), attributes);
 }

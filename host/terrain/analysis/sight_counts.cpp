@@ -189,7 +189,7 @@ void require_room(std::size_t posts, std::size_t observers) {
       fmt::format("viewshed: expected at most {:.0f} GiB for what each observer sees, found {:.1f} GiB "
                   "for {} observers of {} posts",
                   most_bytes / (1 << 30), bytes / (1 << 30), observers, posts),
-      "leave --best and --shares out, or give fewer observers or a smaller map");
+      "ask for no best observers and no shares of single ones, or give fewer observers or a smaller map");
 }
 
 BestObservers best_observers(std::span<const std::vector<std::uint64_t>> each, std::size_t count,

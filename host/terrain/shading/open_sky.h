@@ -15,8 +15,8 @@ namespace offing::terrain {
 /// (DiskCache), 256 MB at most, so that the next program that draws the same map on this device reads them.
 class OpenSky {
  public:
-  /// Enqueues, or reads what is kept; what it makes itself it waits for and keeps. Of maps of more than 1.1
-  /// million posts, every second, fourth ... post gets a share of its own.
+  /// Of maps of 65,536 shares or more: reads what is kept, or waits and keeps it. Of smaller ones: enqueues.
+  /// Of maps of more than 1.1 million posts, every second, fourth ... post gets a share of its own.
   OpenSky(const ocl::Device& device, const HeightField& field);
 
   /// [rows][columns], 255 for all the light that the post's own slope gets from an open sky.
