@@ -119,7 +119,9 @@ void remove_old_entries(const fs::path& folder, const CacheKind& kind, const fs:
   std::ranges::sort(entries, {}, &Entry::used);
   for (const Entry& entry : entries) {
     if (bytes <= kind.most_bytes) return;
-    if (fs::remove(entry.path, error)) bytes -= entry.bytes;
+    fs::remove(entry.path, error);
+    // Another program may have removed it first.
+    if (!error) bytes -= entry.bytes;
   }
 }
 

@@ -89,8 +89,8 @@ TEST_F(DiskCacheTest, RemovesOldHalves) {
   EXPECT_TRUE(fs::exists(old_entry));
 }
 
-// Of a kind with a limit, those entries go that were not used for longest, and no file of another kind. Fails if
-// the folder grows beyond the limit, or if the newest entry or one that was just read goes.
+// Of a kind with a limit, those entries go that were not used for longest, and no file of another kind. Fails
+// if the folder grows beyond the limit, or if the newest entry or one that was just read goes.
 TEST_F(DiskCacheTest, KeepsWhatWasUsedLast) {
   const DiskCache maps(entry_.parent_path(), {"sky", "sky map", 2500});
   const Binary thousand(1000, 7);  // with its header 1040 bytes: two fit

@@ -11,8 +11,8 @@
 
 #include "host/base/error.h"
 #include "host/ocl/buffer.h"
-#include "host/ocl/program.h"
 #include "host/ocl/disk_cache.h"
+#include "host/ocl/program.h"
 #include "host/ocl/quirks.h"
 #include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"

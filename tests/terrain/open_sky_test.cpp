@@ -12,6 +12,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/log_capture.h"
@@ -53,24 +54,33 @@ std::vector<std::filesystem::path> kept_in(const std::filesystem::path& folder) 
   return kept;
 }
 
-// Shares of a large map are kept for the next program. Fails if they are not, if they are made again, if those of
-// another map or spacing are taken for them, if a damaged file is taken or not replaced, or if an empty
-// OFFING_CACHE_DIR keeps any.
+ino_t inode_of(const std::filesystem::path& file) {
+  struct stat found {};
+  EXPECT_EQ(stat(file.c_str(), &found), 0);
+  return found.st_ino;
+}
+
+// Shares of a large map are kept for the next program. Fails if they are not, if they are made again, if
+// those of another map or spacing are taken for them, if a damaged file is taken or not replaced, or if an
+// empty OFFING_CACHE_DIR keeps any.
 TEST(OpenSkyTest, SharesAreKept) {
   TemporaryFolder folder;
   const test::ScopedEnvironment cache("OFFING_CACHE_DIR", folder.path().string());
   const auto hills = [](double spacing_m, double height_m) {
-    return made({.columns = 301, .rows = 257, .spacing_x_m = spacing_m, .spacing_z_m = spacing_m},
-                [&](int column, int row) { return height_m * std::sin(0.2 * column) * std::cos(0.15 * row); });
+    return made(
+        {.columns = 301, .rows = 257, .spacing_x_m = spacing_m, .spacing_z_m = spacing_m},
+        [&](int column, int row) { return height_m * std::sin(0.2 * column) * std::cos(0.15 * row); });
   };
   const std::vector<double> shares = shares_of(hills(10.0, 40.0));
   ASSERT_EQ(kept_in(folder.path()).size(), 1u);
   const std::filesystem::path file = kept_in(folder.path()).front();
+  const ino_t inode = inode_of(file);
   const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(50);
   std::filesystem::last_write_time(file, long_ago);
   EXPECT_EQ(shares_of(hills(10.0, 40.0)), shares);
-  // A read marks the file as used, a write would replace it by one of another inode; both make it young.
+  // A read marks the file as used; a write replaces it by another one.
   EXPECT_GT(std::filesystem::last_write_time(file), long_ago);
+  EXPECT_EQ(inode_of(file), inode);
   EXPECT_NE(shares_of(hills(10.0, 50.0)), shares);
   EXPECT_NE(shares_of(hills(20.0, 40.0)), shares);
   EXPECT_EQ(kept_in(folder.path()).size(), 3u);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +40,9 @@ std::string peer_with_wrong_posts(const test::HeightMap& map, const terrain::Vie
                                   const std::vector<std::uint8_t>& ours,
                                   const std::vector<std::uint8_t>& peers) {
   // Of no row and no column more than of others.
-  const std::size_t step = std::max<std::size_t>(1, ours.size() / most_sampled) | 1;
+  const auto columns = static_cast<std::size_t>(map.grid.columns);
+  std::size_t step = std::max<std::size_t>(1, ours.size() / most_sampled);
+  while (std::gcd(step, columns) > 1) ++step;
   std::size_t sampled = 0, ours_wrong = 0, peers_wrong = 0;
   for (std::size_t post = 0; post < ours.size(); post += step) {
     ++sampled;
