@@ -229,13 +229,13 @@ TEST_F(WindowKeysTest, PicturesNeverReplaceEachOther) {
             std::string::npos)
       << message();
   look_at_sea();
+  const std::vector<unsigned char> shown = picture();  // which stays as it is
   press("F12");
   const RgbImage first = read_png("offing_001.png"), second = read_png("offing_002.png");
   EXPECT_EQ(second.width, width());
   EXPECT_EQ(second.height, height());
   EXPECT_NE(first.rgb, second.rgb);
   // OpenGL's first row is at the bottom.
-  const std::vector<unsigned char> shown = picture();
   const auto row = static_cast<std::ptrdiff_t>(3 * width());
   EXPECT_TRUE(std::equal(second.rgb.begin(), second.rgb.begin() + row, shown.end() - row));
 }
