@@ -77,6 +77,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       input_(window()),
       panels_(window()),
       start_screen_(window(), panels_),
+      enlarge_(context_.capabilities()),
       control_(start_level(options, context_.capabilities())),
       sea_(context_, sea_settings(), options.scene),
       state_(start_state(options, sea_)),

@@ -26,7 +26,7 @@ void copy_to_framebuffer(const RenderTarget& picture, GLuint framebuffer, int wi
 }  // namespace
 
 void EnlargePass::draw(const RenderTarget& picture, GLuint framebuffer, int width, int height) {
-  if (picture.width() >= width && picture.height() >= height) {
+  if (is_even_ || (picture.width() >= width && picture.height() >= height)) {
     copy_to_framebuffer(picture, framebuffer, width, height);
     return;
   }

@@ -65,7 +65,7 @@ using EnlargePassTest = GlTest;
 TEST_F(EnlargePassTest, IsNearerToTheWholePictureThanAnEvenOne) {
   const std::vector<unsigned char> whole = picture(width, height);
   const RenderTarget shown(width, height, GL_RGBA8, RenderTarget::Depth::none);
-  EnlargePass pass;
+  EnlargePass pass(GlCapabilities{});
   for (const auto& [samples, limit] : {std::pair(8, 0.82), std::pair(1, 0.9)}) {
     const RenderTarget small =
         target_of(picture(small_width, small_height, samples), small_width, small_height);
@@ -85,7 +85,7 @@ TEST_F(EnlargePassTest, LeavesTheRestAlone) {
   const std::vector<unsigned char> flat(std::size_t{4} * small_width * small_height, 117);
   const RenderTarget small = target_of(flat, small_width, small_height);
   const RenderTarget shown(width, height, GL_RGBA8, RenderTarget::Depth::none);
-  EnlargePass pass;
+  EnlargePass pass(GlCapabilities{});
   pass.draw(small, shown.framebuffer(), width, height);
   for (const unsigned char value : shown.read_bytes()) ASSERT_EQ(value, 117);
 
