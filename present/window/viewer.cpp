@@ -150,7 +150,9 @@ bool Viewer::turn() {
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
   const Drawn drawn = show();
-  if (drawn == Drawn::moving && state_.kept_hz > 0.0f) {
+  // Frames in which wakes catch up or clouds are made say nothing of those that follow.
+  const bool is_usual = !sea_.is_behind() && !sea_.clouds_progress();
+  if (drawn == Drawn::moving && state_.kept_hz > 0.0f && is_usual) {
     const double shown_s = glfwGetTime();
     control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
   }
