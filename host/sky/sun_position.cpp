@@ -8,7 +8,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/sky/moment_of_sun.h"
 
 namespace offing::sky {
 namespace {

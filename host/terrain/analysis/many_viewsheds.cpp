@@ -51,7 +51,7 @@ void look_from_each(const ocl::Device& device, const HeightField& field, std::sp
   sights.reserve(observers.size());
   for (const Observer& observer : observers) {
     require_valid(observer.limits);
-    sights.push_back(Viewshed::sight_from(field, observer.parameters));
+    sights.push_back(Viewshed::sight_from(field.grid(), heights_m, observer.parameters));
   }
   const Viewshed viewshed(device);
   ocl::Buffer<std::uint8_t> buffer(device, heights_m.size(), "viewshed");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 
@@ -31,21 +32,44 @@ double on_lattice(double cells) {
   return std::round(cells * 0x1p20) * 0x1p-20;
 }
 
+/// Copies two posts that lie side by side, the first of which this is.
+using ReadPosts = std::function<void(std::size_t first, std::span<float, 2> heights_m)>;
+
 /// The ground under a place in cells.
-double terrain_m(const HeightField& field, double x, double z) {
-  const PostGrid& grid = field.grid();
+double terrain_m(const PostGrid& grid, const ReadPosts& read, double x, double z) {
   const int column = std::min(static_cast<int>(x), grid.columns - 2);
   const int row = std::min(static_cast<int>(z), grid.rows - 2);
   const auto edge_m = [&](int of_row) {
     std::array<float, 2> heights_m{};
-    field.heights_m().read(heights_m,
-                           static_cast<std::size_t>(of_row) * static_cast<std::size_t>(grid.columns) +
-                               static_cast<std::size_t>(column));
+    read(static_cast<std::size_t>(of_row) * static_cast<std::size_t>(grid.columns) +
+             static_cast<std::size_t>(column),
+         heights_m);
     return std::lerp(static_cast<double>(heights_m[0]), static_cast<double>(heights_m[1]), x - column);
   };
   return std::lerp(edge_m(row), edge_m(row + 1), z - row);
 }
 
+TerrainSight sight_over(const PostGrid& grid, const ViewshedParameters& parameters, const ReadPosts& read) {
+  require_valid(parameters, grid);
+  const double x = on_lattice((parameters.observer_x_m - grid.origin_x_m) / grid.spacing_x_m);
+  const double z = on_lattice((parameters.observer_z_m - grid.origin_z_m) / grid.spacing_z_m);
+  const double eye_m = terrain_m(grid, read, x, z) + parameters.observer_height_m;
+  const auto eye_float_m = static_cast<float>(eye_m);
+  const double bend_perm = parameters.curve.bend_perm(), radius_m = parameters.radius_m;
+  const auto squared = [](double value) { return static_cast<float>(value * value); };
+  return {.cell_x = static_cast<int>(x),
+          .cell_z = static_cast<int>(z),
+          .fraction_x = static_cast<float>(x - std::floor(x)),
+          .fraction_z = static_cast<float>(z - std::floor(z)),
+          .eye_m = eye_float_m,
+          .eye_rest_m = static_cast<float>(eye_m - static_cast<double>(eye_float_m)),
+          .eye_above_m = static_cast<float>(parameters.observer_height_m),
+          .target_above_m = static_cast<float>(parameters.target_height_m),
+          .bend_x_m = static_cast<float>(bend_perm * grid.spacing_x_m * grid.spacing_x_m),
+          .bend_z_m = static_cast<float>(bend_perm * grid.spacing_z_m * grid.spacing_z_m),
+          .radius_share_x = squared(grid.spacing_x_m / radius_m),
+          .radius_share_z = squared(grid.spacing_z_m / radius_m)};
+}
 }  // namespace
 
 void require_valid(const ViewshedParameters& parameters, const PostGrid& grid) {
@@ -76,32 +100,19 @@ Viewshed::Viewshed(const ocl::Device& device)
   }
 }
 
-TerrainSight Viewshed::sight_from(const HeightField& field, const ViewshedParameters& parameters) {
-  const PostGrid& grid = field.grid();
-  require_valid(parameters, grid);
-  const double x = on_lattice((parameters.observer_x_m - grid.origin_x_m) / grid.spacing_x_m);
-  const double z = on_lattice((parameters.observer_z_m - grid.origin_z_m) / grid.spacing_z_m);
-  const double eye_m = terrain_m(field, x, z) + parameters.observer_height_m;
-  const auto eye_float_m = static_cast<float>(eye_m);
-  const double bend_perm = parameters.curve.bend_perm(), radius_m = parameters.radius_m;
-  const auto squared = [](double value) { return static_cast<float>(value * value); };
-  return {.cell_x = static_cast<int>(x),
-          .cell_z = static_cast<int>(z),
-          .fraction_x = static_cast<float>(x - std::floor(x)),
-          .fraction_z = static_cast<float>(z - std::floor(z)),
-          .eye_m = eye_float_m,
-          .eye_rest_m = static_cast<float>(eye_m - static_cast<double>(eye_float_m)),
-          .eye_above_m = static_cast<float>(parameters.observer_height_m),
-          .target_above_m = static_cast<float>(parameters.target_height_m),
-          .bend_x_m = static_cast<float>(bend_perm * grid.spacing_x_m * grid.spacing_x_m),
-          .bend_z_m = static_cast<float>(bend_perm * grid.spacing_z_m * grid.spacing_z_m),
-          .radius_share_x = squared(grid.spacing_x_m / radius_m),
-          .radius_share_z = squared(grid.spacing_z_m / radius_m)};
+TerrainSight Viewshed::sight_from(const PostGrid& grid, std::span<const float> heights_m,
+                                  const ViewshedParameters& parameters) {
+  return sight_over(grid, parameters, [&](std::size_t first, std::span<float, 2> two_m) {
+    std::ranges::copy(heights_m.subspan(first, 2), two_m.begin());
+  });
 }
 
 void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters,
                   ocl::Buffer<std::uint8_t>& seen) const {
-  at(field, sight_from(field, parameters), seen);
+  const auto read = [&](std::size_t first, std::span<float, 2> two_m) {
+    field.heights_m().read(two_m, first);
+  };
+  at(field, sight_over(field.grid(), parameters, read), seen);
 }
 
 void Viewshed::at(const HeightField& field, const TerrainSight& sight,

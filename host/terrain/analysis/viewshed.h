@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
@@ -41,9 +42,9 @@ class Viewshed {
   void at(const HeightField& field, const ViewshedParameters& parameters,
           ocl::Buffer<std::uint8_t>& seen) const;
 
-  /// The same in two steps: the first reads the ground below the eye, and so waits for what is queued; the
-  /// second only enqueues.
-  static TerrainSight sight_from(const HeightField& field, const ViewshedParameters& parameters);
+  /// The same in two steps, the first from the field's heights on the host.
+  static TerrainSight sight_from(const PostGrid& grid, std::span<const float> heights_m,
+                                 const ViewshedParameters& parameters);
   void at(const HeightField& field, const TerrainSight& sight, ocl::Buffer<std::uint8_t>& seen) const;
 
  private:

@@ -14,7 +14,7 @@ namespace offing::terrain {
 namespace {
 
 constexpr long long most_shares = 1'100'000;
-// Fewer are made as fast as they are read.
+// Fewer are made as fast as they are read. So are all where heights would have to be read back for their key.
 constexpr std::size_t least_kept_shares = 1 << 16;
 constexpr ocl::CacheKind sky_maps{"sky", "sky map", 256'000'000};
 
@@ -49,7 +49,8 @@ OpenSky::OpenSky(const ocl::Device& device, const HeightField& field) {
   const ocl::ProgramRecipe program{
       "terrain/open_sky.cl", ocl::Defines().set("LANES", rays.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT)};
   const ocl::DiskCache cache(ocl::DiskCache::default_folder(), sky_maps);
-  const bool is_kept = cache.is_on() && shares_.size() >= least_kept_shares;
+  const bool is_kept =
+      cache.is_on() && shares_.size() >= least_kept_shares && device.info().has_host_unified_memory;
   const std::string identity = is_kept ? identity_of_shares(device, field, program, stride_) : std::string();
   if (is_kept) {
     const std::optional<std::vector<std::uint8_t>> kept = cache.load(identity);

@@ -12,7 +12,8 @@ namespace offing::terrain {
 /// How much of the sky's light the ground lets through to each of its posts (ambient occlusion by horizons;
 /// Max 1988, Horizon mapping), made once a height field: pictures interpolate it, which costs them a
 /// hundredth of what walks for every pixel would. Shares are kept in the folder of compiled programs
-/// (DiskCache), 256 MB at most, so that the next program that draws the same map on this device reads them.
+/// (DiskCache), 256 MB at most, so that the next program that draws the same map on this device reads them;
+/// not on devices with memory of their own.
 class OpenSky {
  public:
   /// Of maps of 65,536 shares or more: reads what is kept, or waits and keeps it. Of smaller ones: enqueues.

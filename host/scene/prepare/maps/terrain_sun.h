@@ -12,7 +12,7 @@
 #include "host/base/height_map.h"
 #include "host/io/height_maps/map_coordinates.h"
 #include "host/sky/direct_sunlight.h"
-#include "host/sky/moment_of_sun.h"
+#include "host/sky/sun_position.h"
 #include "host/terrain/analysis/horizons.h"
 
 namespace offing::scene {
