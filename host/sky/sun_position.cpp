@@ -126,11 +126,11 @@ MomentOfSun sun_at(const UtcTime& time) {
 }
 
 SunPosition sun_position(const UtcTime& time, const GeoPosition& position, const std::optional<Air>& air) {
-  return sun_position(sun_at(time), position, air);
+  return sun_position_at(sun_at(time), position, air);
 }
 
-SunPosition sun_position(const MomentOfSun& moment, const GeoPosition& position,
-                         const std::optional<Air>& air) {
+SunPosition sun_position_at(const MomentOfSun& moment, const GeoPosition& position,
+                            const std::optional<Air>& air) {
   require_within("position.latitude_rad", position.latitude_rad, -0.5 * pi, 0.5 * pi);
   require_within("position.longitude_rad", position.longitude_rad, -2.0 * pi, 2.0 * pi);
   if (air) {

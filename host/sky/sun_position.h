@@ -78,8 +78,8 @@ struct MomentOfSun {
 MomentOfSun sun_at(const UtcTime& time);
 
 /// sun_position() of many places at one moment.
-SunPosition sun_position(const MomentOfSun& moment, const GeoPosition& position,
-                         const std::optional<Air>& air = std::nullopt);
+SunPosition sun_position_at(const MomentOfSun& moment, const GeoPosition& position,
+                            const std::optional<Air>& air = std::nullopt);
 
 /// How far air lifts a true elevation (Saemundsson 1986 in Meeus eq. 16.4); below -1 degree it fades.
 double refraction_rad(double true_elevation_rad, const Air& air);

@@ -52,7 +52,7 @@ double lifted(double elevation_rad) {
 }
 
 SeenSun seen_sun(const SunMoment& moment, const SunPlace& place) {
-  const sky::SunPosition sun = sky::sun_position(moment.sun, place.position);
+  const sky::SunPosition sun = sky::sun_position_at(moment.sun, place.position);
   SeenSun seen;
   seen.azimuth_rad = sun.azimuth_rad - place.north_rad;
   seen.elevation_rad = lifted(sun.elevation_rad);
