@@ -15,8 +15,8 @@ import zlib
 
 # What stands behind a flag in the help and is no path.
 NO_PATHS = set(
-    "0 A A:B A:B:DT AZIMUTH_DEG,ELEVATION_DEG B BY C CAMERA CRS D DEG DEVICE DT E EV F FLOAT FORMAT FPS H INT INT,... K "
-    "L LEVEL LIST M MB METHOD N NAME ORDER P R S SWITCH SYSTEM T TRANSFER TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
+    "0 A A:B A:B:DT AZIMUTH_DEG,ELEVATION_DEG B BY C CAMERA CRS D DATE DEG DEVICE DT E EV F FLOAT FORMAT FPS H INT INT,... K "
+    "L LEVEL LIST M MB METHOD N NAME ORDER P R S SWITCH SYSTEM T TIME TRANSFER TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
     "i/n X,...".split()
 )
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
@@ -25,6 +25,7 @@ TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
 READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--swell", "--device"}
 
 MAP = ["map.r32", "--raw-size", "9x9", "--spacing-m", "10"]
+DAY = ["--from", "2026-06-21", "--to", "2026-06-21", "--latitude-deg", "46", "--longitude-deg", "8"]
 SPECTRUM = ["41010.data_spec"]
 NDBC = ["41010.data_spec", "41010.swdir", "41010.swdir2", "41010.swr1", "41010.swr2"]
 SCENE_FILES = ["scene.toml", "ship.gltf", "ship.bin", "ramp.png", "map.asc", "map.prj", *NDBC]
@@ -79,6 +80,10 @@ CASES = [
          ["map.asc", "map.prj", "points.csv"], "out.tif"),
     Case("offing terrain viewshed", "--shares", ["map.asc", "--points", "points.csv", "-o", "fresh.tif"],
          ["map.asc", "map.prj", "points.csv"], "out.gpkg"),
+    Case("offing terrain sky", "-o", ["map.asc"], ["map.asc", "map.prj"], "out.tif"),
+    Case("offing terrain sky", "--horizons", ["map.asc", "-o", "fresh.tif"], ["map.asc", "map.prj"], "out.tif"),
+    Case("offing terrain sun", "-o", ["map.asc", *DAY], ["map.asc", "map.prj"], "out.tif"),
+    Case("offing terrain sun", "--masks", ["map.asc", *DAY, "-o", "fresh.tif"], ["map.asc", "map.prj"], "out.tif"),
     Case("offing terrain profile", "-o", [*MAP, "--from", "0,0", "--to", "9,9"], ["map.r32"], "out.csv"),
     Case("offing terrain generate", "-o", [], [], "out.tif"),
     Case("offing terrain tile", "-o", MAP, ["map.r32"], "out", "out/0/0000/0000.tile"),
