@@ -30,11 +30,10 @@ double within_range(std::string_view key, double value) {
 FreeCamera::FreeCamera(const Camera& start) : start_(start), camera_(start), speed_mps_(start_speed_mps) {}
 
 void FreeCamera::look(const CameraInput& input) {
-  // The picture follows the mouse: a pixel of it turns by the angle of a pixel.
-  const double pixel_rad = camera_.vertical_field_of_view_rad / camera_.height_px;
-  camera_.yaw_rad = std::remainder(camera_.yaw_rad + input.turn_px.x * pixel_rad, 2.0 * std::numbers::pi);
-  camera_.pitch_rad =
-      std::clamp(camera_.pitch_rad - input.turn_px.y * pixel_rad, -steepest_rad, steepest_rad);
+  // The picture follows the mouse, however many pixels it has.
+  const glm::dvec2 turn_rad = camera_.vertical_field_of_view_rad * input.turn;
+  camera_.yaw_rad = std::remainder(camera_.yaw_rad + turn_rad.x, 2.0 * std::numbers::pi);
+  camera_.pitch_rad = std::clamp(camera_.pitch_rad - turn_rad.y, -steepest_rad, steepest_rad);
 }
 
 void FreeCamera::rise_above(double surface_m) {

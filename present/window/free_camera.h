@@ -12,12 +12,13 @@ namespace offing::present {
 /// What keys and mouse ask of a camera during one frame.
 struct CameraInput {
   glm::dvec3 move{0.0};     ///< -1 ... 1 along the eye's right, the world's up and the eye's forward
-  glm::dvec2 turn_px{0.0};  ///< how far the mouse moved with its button down, right and down
+  /// How far the mouse moved with its button down, right and down, in heights of the window.
+  glm::dvec2 turn{0.0};
   double wheel = 0.0;       ///< notches away from the user: faster
   bool is_fast = false;
   bool is_slow = false;
 
-  bool moves() const { return move != glm::dvec3(0.0) || turn_px != glm::dvec2(0.0); }
+  bool moves() const { return move != glm::dvec3(0.0) || turn != glm::dvec2(0.0); }
 };
 
 /// Height at a place of the water or the ground, whichever is higher, above the water's mean, m.

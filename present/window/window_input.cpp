@@ -1,5 +1,6 @@
 #include "present/window/window_input.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -177,7 +178,11 @@ CameraInput WindowInput::take_camera_input() {
   // A drag that began on a panel stays the panel's.
   is_camera_held_ = is_camera_held_ && is_down;
   if (is_camera_held_) is_dragging_ = false;
-  if (is_down && is_dragging_) input.turn_px = {x - drag_x_, y - drag_y_};
+  if (is_down && is_dragging_) {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    input.turn = glm::dvec2(x - drag_x_, y - drag_y_) / static_cast<double>(std::max(1, height));
+  }
   is_dragging_ = is_down && !is_camera_held_ && (is_dragging_ || !panels_want_mouse());
   drag_x_ = x;
   drag_y_ = y;

@@ -33,11 +33,14 @@ TEST(FreeCameraTest, FliesWhereItLooks) {
 // Fails if the picture does not follow the mouse, or the head turns over.
 TEST(FreeCameraTest, TurnsWithTheMouse) {
   FreeCamera camera(start());
-  const double pixel_rad = start().vertical_field_of_view_rad / 360.0;
-  camera.advance({.turn_px = {36.0, -18.0}}, 0.0, calm);
-  EXPECT_NEAR(camera.camera().yaw_rad, 0.4 + 36.0 * pixel_rad, 1e-12);
-  EXPECT_NEAR(camera.camera().pitch_rad, -0.1 + 18.0 * pixel_rad, 1e-12);
-  camera.advance({.turn_px = {0.0, 1e6}}, 0.0, calm);
+  const double view_rad = start().vertical_field_of_view_rad;
+  camera.advance({.turn = {0.1, -0.05}}, 0.0, calm);
+  EXPECT_NEAR(camera.camera().yaw_rad, 0.4 + 0.1 * view_rad, 1e-12);
+  EXPECT_NEAR(camera.camera().pitch_rad, -0.1 + 0.05 * view_rad, 1e-12);
+  camera.camera().height_px = 36;
+  camera.advance({.turn = {0.0, 0.05}}, 0.0, calm);
+  EXPECT_NEAR(camera.camera().pitch_rad, -0.1, 1e-12) << "coarse pictures turn alike";
+  camera.advance({.turn = {0.0, 1e6}}, 0.0, calm);
   EXPECT_EQ(camera.camera().pitch_rad, -0.5 * std::numbers::pi);
 }
 
@@ -58,7 +61,7 @@ TEST(FreeCameraTest, StaysWhereItIs) {
   Camera low = start();
   low.eye_m = {4e6, 0.05, -3.0};
   FreeCamera camera(low);
-  camera.advance({.turn_px = {3.0, 1.0}, .wheel = 1.0}, 1.0, [](double, double) { return 5.0; });
+  camera.advance({.turn = {0.03, 0.01}, .wheel = 1.0}, 1.0, [](double, double) { return 5.0; });
   EXPECT_EQ(camera.camera().eye_m, low.eye_m);
 }
 
@@ -87,7 +90,7 @@ TEST(FreeCameraTest, ChangesSpeedWithTheWheel) {
 TEST(FreeCameraTest, ReturnsToItsStart) {
   FreeCamera camera(start());
   camera.camera().width_px = 99;
-  camera.advance({.move = {1.0, 1.0, 1.0}, .turn_px = {5.0, 5.0}}, 3.0, calm);
+  camera.advance({.move = {1.0, 1.0, 1.0}, .turn = {0.05, 0.05}}, 3.0, calm);
   camera.reset();
   EXPECT_EQ(camera.camera().eye_m, start().eye_m);
   EXPECT_EQ(camera.camera().yaw_rad, start().yaw_rad);
