@@ -4,13 +4,17 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/ocl/disk_cache.h"
 #include "host/ocl/program.h"
 #include "host/ocl/program_source.h"
+#include "host/ocl/self_test.h"
 
 namespace offing::sky {
 namespace {
@@ -29,6 +33,9 @@ constexpr std::size_t view_columns = SKY_VIEW_COLUMNS;
 constexpr std::size_t view_rows = SKY_VIEW_ROWS;
 constexpr std::size_t view_layers = SKY_VIEW_LAYERS;
 constexpr std::size_t rings = SKY_ILLUMINANCE_RINGS;
+
+// 30 kinds of air.
+constexpr ocl::CacheKind air_tables{"air", "table of the air", 10'000'000};
 
 Rgb rgb_of(const Texel& texel) {
   return {texel[0], texel[1], texel[2]};
@@ -59,21 +66,57 @@ ClearSky::ClearSky(const ocl::Device& device, const Atmosphere& atmosphere)
   ground_table_ = ocl::Buffer<Texel>(device, scattering_columns, "sky ground");
   view_table_ = ocl::Buffer<Texel>(device, view_layers * view_rows * view_columns, "sky view");
 
-  ocl::Program::build(device, "sky/depth_table.cl")
-      .kernel("depth_table")
-      .launch({{depth_columns, depth_rows}}, air_, depth_table_);
-  ocl::Program::build(device, "sky/scattering_table.cl")
-      .kernel("scattering_table")
-      .launch({{scattering_columns, scattering_rows}}, air_, depth_table_, scattering_table_);
-  ocl::Program::build(device, "sky/ground_table.cl")
-      .kernel("ground_table")
-      .launch({{scattering_columns}}, air_, static_cast<float>(atmosphere.aerosol_asymmetry), depth_table_,
-              scattering_table_, ground_table_);
+  make_air_tables();
   view_kernel_ = ocl::Program::build(device, "sky/view_table.cl").kernel("view_table");
   map_kernel_ = ocl::Program::build(device, "sky/sky_map.cl").kernel("sky_map");
   rays_kernel_ = ocl::Program::build(device, "sky/sky_rays.cl").kernel("sky_rays");
   illuminance_kernel_ = ocl::Program::build(device, "sky/sky_illuminance.cl").kernel("sky_illuminance");
   at({});
+}
+
+void ClearSky::make_air_tables() {
+  const std::array<ocl::ProgramRecipe, 3> programs{
+      {{"sky/depth_table.cl", {}}, {"sky/scattering_table.cl", {}}, {"sky/ground_table.cl", {}}}};
+  const auto asymmetry = static_cast<float>(atmosphere_.aerosol_asymmetry);
+  const ocl::DiskCache cache(ocl::DiskCache::default_folder(), air_tables);
+  const bool is_kept = cache.is_on() && device_.info().has_host_unified_memory;  // others are quick to make
+  const std::string identity =
+      !is_kept ? std::string()
+               : ocl::identity_of(device_.info(), programs) +
+                     ocl::joined_identity({ocl::identity_of_bytes(std::as_bytes(std::span(&air_, 1))),
+                                           ocl::identity_of_bytes(std::as_bytes(std::span(&asymmetry, 1)))});
+  const std::array<ocl::Buffer<Texel>*, 3> tables{&depth_table_, &scattering_table_, &ground_table_};
+  std::vector<std::uint8_t> kept;
+  for (const auto* table : tables) kept.resize(kept.size() + table->size() * sizeof(Texel));
+  if (is_kept) {
+    const std::optional<std::vector<std::uint8_t>> loaded = cache.load(identity);
+    if (loaded && loaded->size() == kept.size()) {
+      std::size_t begin = 0;
+      for (auto* table : tables) {
+        std::vector<Texel> texels(table->size());
+        std::memcpy(texels.data(), loaded->data() + begin, texels.size() * sizeof(Texel));
+        table->write(texels);
+        begin += texels.size() * sizeof(Texel);
+      }
+      return;
+    }
+  }
+  const auto kernel = [&](std::size_t program, const char* name) {
+    return ocl::Program::build(device_, programs[program].source_name).kernel(name);
+  };
+  kernel(0, "depth_table").launch({{depth_columns, depth_rows}}, air_, depth_table_);
+  kernel(1, "scattering_table")
+      .launch({{scattering_columns, scattering_rows}}, air_, depth_table_, scattering_table_);
+  kernel(2, "ground_table")
+      .launch({{scattering_columns}}, air_, asymmetry, depth_table_, scattering_table_, ground_table_);
+  if (!is_kept) return;
+  std::size_t begin = 0;
+  for (const auto* table : tables) {
+    const std::vector<Texel> texels = table->read();
+    std::memcpy(kept.data() + begin, texels.data(), texels.size() * sizeof(Texel));
+    begin += texels.size() * sizeof(Texel);
+  }
+  cache.store(identity, kept);
 }
 
 void ClearSky::at(const Sun& sun, double eye_altitude_m) {

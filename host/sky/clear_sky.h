@@ -43,8 +43,9 @@ struct SkyLight {
 /// Rec.709 are clipped to it.
 class ClearSky {
  public:
-  /// Makes the tables that depend on the air alone. Throws Error(bad_input) as require_valid() does, and what
-  /// programs and buffers throw.
+  /// Makes the tables that depend on the air alone, or takes those that another program made: where host and
+  /// device share memory, ocl::DiskCache keeps them. Throws Error(bad_input) as require_valid() does, and
+  /// what programs and buffers throw.
   ClearSky(const ocl::Device& device, const Atmosphere& atmosphere);
 
   /// Enqueues the table of this sun and an eye at this height above the sea. Heights below 1 m count as 1 m,
@@ -79,6 +80,8 @@ class ClearSky {
   SkyLight read_light(std::span<const std::array<double, 3>> directions) const;
 
  private:
+  void make_air_tables();
+
   ocl::Device device_;
   Atmosphere atmosphere_;
   AtmosphereParams air_{};

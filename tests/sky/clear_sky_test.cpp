@@ -5,13 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/io/temporary_folder.h"
 #include "tests/ocl/expect_error.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/sky/clear_sky_case.h"
 
 namespace offing::sky {
@@ -215,6 +218,39 @@ TEST_F(ClearSkyTest, RefusesBadViews) {
   Atmosphere air;
   air.ground_albedo[0] = -1.0;
   test::expect_error(ErrorKind::bad_input, "ground_albedo", [&] { ClearSky(*device, air); });
+}
+
+// Tables of the air are kept for the next program. Fails if they are not, if they are made again, if those of
+// other air are taken for them, or if what is read is not what was made.
+TEST_F(ClearSkyTest, TablesOfTheAirAreKept) {
+  if (!device->info().has_host_unified_memory) GTEST_SKIP() << "devices with memory of their own keep none";
+  TemporaryFolder folder;
+  const test::ScopedEnvironment cache("OFFING_CACHE_DIR", folder.path().string());
+  const auto kept = [&] {
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path()))
+      if (file.path().extension() == ".air") files.push_back(file.path());
+    return files;
+  };
+  const auto light_of = [](const Atmosphere& atmosphere) {
+    ClearSky made(*device, atmosphere);
+    made.at({.sun_direction = at(30.0, 20.0)});
+    return made.view_table().read();
+  };
+  Atmosphere clear;
+  clear.aerosol_albedo = 1.0;
+  const auto light = light_of({});
+  ASSERT_EQ(kept().size(), 1u);
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(50);
+  std::filesystem::last_write_time(kept().front(), long_ago);
+  const auto size = std::filesystem::file_size(kept().front());
+  EXPECT_EQ(light_of({}), light);
+  EXPECT_GT(std::filesystem::last_write_time(kept().front()), long_ago) << "a read marks a file as used";
+  EXPECT_NE(light_of(clear), light);
+  EXPECT_EQ(kept().size(), 2u);
+  for (const auto& file : kept()) EXPECT_EQ(std::filesystem::file_size(file), size);
+  const test::ScopedEnvironment off("OFFING_CACHE_DIR", "");
+  EXPECT_EQ(light_of({}), light);
 }
 
 // Fails if a map of another size than said is written to.

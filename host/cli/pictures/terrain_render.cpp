@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "host/base/parallel_for.h"
 #include "host/sky/sun_position.h"
 #include "host/terrain/cast/step_colours.h"
 
@@ -71,29 +72,32 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   terrain::TerrainShade shade(device);
   shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, terrain, look);
   picture.refined_share = shade.refined_share();
-  const std::vector<terrain::Texel> texels = terrain.read();
+  std::vector<terrain::Texel> texels = terrain.read();
   const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));
+  std::size_t next_open = 0;
+  for (terrain::Texel& texel : texels) {
+    const float open = 1.0f - texel[3];
+    if (open <= 0.0f) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      texel[i] += open * static_cast<float>(seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i]);
+    }
+    ++next_open;
+  }
 
   const double level_sun = std::max(0.0, std::sin(scenery.sun_elevation_rad));
   const double level_klx =
       sky::luminance(at_eye.sun_klx) * level_sun + sky::luminance(at_eye.sky_klx) + least_klx;
-  const double exposure = key * std::exp2(scenery.exposure_ev) / (mean_albedo / 3.14159265358979 * level_klx);
-  std::size_t next_open = 0;
-  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
-    std::array<double, 3> colour{texels[pixel][0], texels[pixel][1], texels[pixel][2]};
-    if (const double open = 1.0 - static_cast<double>(texels[pixel][3]); open > 0.0) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        colour[i] += open * (seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i]);
-      }
-      ++next_open;
+  const auto exposure =
+      static_cast<float>(key * std::exp2(scenery.exposure_ev) / (mean_albedo / 3.14159265358979 * level_klx));
+  parallel_rows(camera.height_px, [&](int row) {
+    for (int column = 0; column < camera.width_px; ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width_px) +
+                                static_cast<std::size_t>(column);
+      const terrain::Texel& light_there = texels[pixel];
+      const glm::vec3 exposed = exposure * glm::vec3(light_there[0], light_there[1], light_there[2]);
+      store(picture.image, pixel, tone_mapped(exposed), dither_noise(column, row));
     }
-    const glm::vec3 exposed{static_cast<float>(exposure * colour[0]),
-                            static_cast<float>(exposure * colour[1]),
-                            static_cast<float>(exposure * colour[2])};
-    const std::size_t width = static_cast<std::size_t>(camera.width_px);
-    const float noise = dither_noise(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
-    store(picture.image, pixel, tone_mapped(exposed), noise);
-  }
+  });
 }
 
 template <class Field>
