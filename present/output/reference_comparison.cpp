@@ -1,6 +1,7 @@
 #include "present/output/reference_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -43,6 +44,9 @@ constexpr double full_error = 0.5;
 struct Compared {
   LightImage drawn;  ///< [height][width], row 0 at the top
   clouds::TracedImage reference;
+  /// The reference by one half of its paths and by the other, which tells noise from light; the second is
+  /// empty where there is one path.
+  std::array<LightImage, 2> halves;
   double exposure = 1.0;
   Camera camera;                    ///< in the world
   clouds::CloudIllumination light;  ///< that paths find
@@ -136,10 +140,15 @@ void add(LightImage& sum, const LightImage& image, float share) {
   for (std::size_t i = 0; i < image.size(); ++i) sum[i] += share * image[i];
 }
 
-clouds::TracedImage traced_image(const clouds::ReferenceTracer& tracer, const Camera& camera,
-                                 const ViewOptions& options, const CancelToken& cancel) {
+/// Fills the reference and its halves.
+void trace(Compared& compared, const clouds::ReferenceTracer& tracer, const Camera& camera,
+           const ViewOptions& options, const CancelToken& cancel) {
   const int samples = options.comparison->samples, passes = std::min(samples, most_passes);
-  clouds::TracedImage sum;
+  clouds::TracedImage& sum = compared.reference;
+  std::array<int, 2> samples_of_half{};
+  for (int pass = 0; pass < passes; ++pass)
+    samples_of_half[static_cast<std::size_t>(pass % 2)] +=
+        (pass + 1) * samples / passes - pass * samples / passes;
   Progress progress(passes, "passes", options.verbosity);
   for (int pass = 0; pass < passes; ++pass) {
     cancel.throw_if_cancelled();
@@ -148,13 +157,15 @@ clouds::TracedImage traced_image(const clouds::ReferenceTracer& tracer, const Ca
         tracer.image(camera, {.samples = of_pass, .seed = static_cast<std::uint64_t>(pass) + 1});
     const float share = static_cast<float>(of_pass) / static_cast<float>(samples);
     add(sum.image, traced.image, share);
+    const auto half = static_cast<std::size_t>(pass % 2);
+    add(compared.halves[half], traced.image,
+        static_cast<float>(of_pass) / static_cast<float>(samples_of_half[half]));
     sum.orders.resize(traced.orders.size());
     for (std::size_t order = 0; order < traced.orders.size(); ++order)
       add(sum.orders[order], traced.orders[order], share);
     progress.advance();
   }
   cancel.throw_if_cancelled();
-  return sum;
 }
 
 Compared compare(const ViewOptions& options, const CancelToken& cancel) {
@@ -187,7 +198,7 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   const clouds::ReferenceTracer tracer(medium, look, compared.light);
   Camera camera = view.camera;
   camera.eye_m -= clouds.sky_origin_m();
-  compared.reference = traced_image(tracer, camera, options, cancel);
+  trace(compared, tracer, camera, options, cancel);
   return compared;
 }
 
@@ -225,6 +236,9 @@ void write_light(const std::filesystem::path& path, const Compared& compared, Im
                                                                 {"reference", &compared.reference.image}};
   for (std::size_t order = 0; order < compared.reference.orders.size(); ++order)
     layers.emplace_back(fmt::format("order{}", order + 1), &compared.reference.orders[order]);
+  for (std::size_t half = 0; half < compared.halves.size(); ++half)
+    if (!compared.halves[half].empty())
+      layers.emplace_back(fmt::format("half{}", half + 1), &compared.halves[half]);
   std::vector<std::pair<std::string, std::vector<float>>> values;
   for (const auto& [name, image] : layers) {
     for (int channel = 0; channel < 4; ++channel) {
