@@ -30,6 +30,7 @@ typedef struct {
   float edge_m;                                       // of one of CLOUD_MARCH_EDGES equal cubes that fill its box
   float radius_m;                                     // of its particles, in the mean
   float anchor_x, anchor_y, anchor_z;                 // m: a particle, which noise moves with
+  unsigned int texture;                               // of that particle
 } CloudMarchBounds;
 
 // The density of a cloud in cells of a cube's shape, with an axis along the light of the first sun, so that
@@ -50,7 +51,7 @@ typedef struct {
 } CloudMarchVolume;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(CloudMarchBounds) == 52, "no padding");
+static_assert(sizeof(CloudMarchBounds) == 56, "no padding");
 static_assert(sizeof(CloudMarchVolume) == 96, "no padding");
 #endif
 

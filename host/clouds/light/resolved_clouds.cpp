@@ -24,6 +24,8 @@ constexpr double margin_cells = 0.5 + CLOUD_MARCH_LEAST_RADIUS;
 
 // Edge of a texel of noise, in mean radii of particles.
 constexpr float lump_radii = 0.06f;
+// How strong they are in clouds of soft textures, whose shapes are smoother than those of heaps.
+constexpr float soft_lumps = 0.4f;
 
 /// Noise as the kernel reads it (CLOUD_LUMP_LEAST).
 std::vector<std::uint32_t> lump_squares(const std::vector<float>& noise) {
@@ -55,6 +57,7 @@ CloudMarchVolume volume_of(const CloudMarchBounds& bounds, const CloudMarchVolum
   CloudMarchVolume volume = like;
   volume.cloud = cloud;
   volume.lump_m = lump_radii * bounds.radius_m;
+  if (bounds.texture >= CLOUD_TEXTURES) volume.lumps *= soft_lumps;
   volume.anchor_x = bounds.anchor_x, volume.anchor_y = bounds.anchor_y, volume.anchor_z = bounds.anchor_z;
   for (double cell_m = std::cbrt(box_m.x * box_m.y * box_m.z / CLOUD_MARCH_CELLS);; cell_m *= 1.02) {
     volume.cell_m = static_cast<float>(cell_m);

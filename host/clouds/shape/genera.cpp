@@ -147,11 +147,15 @@ std::vector<Metaball> cumulonimbus(RandomDraws& draws) {
     }
     balls.push_back({{60.0 * layer, y_m, 0.0}, 1200.0});
   }
-  for (int i = 0; i < 44; ++i) {
-    const double angle = 2.0 * pi * draws.next(), out = std::sqrt(draws.next());
-    const double x_m = 1100.0 + 4700.0 * out * std::cos(angle), z_m = 3100.0 * out * std::sin(angle);
+  // As seeds of a sunflower lie: none of it gapes.
+  constexpr int anvil_balls = 50;
+  const double turn = draws.next();
+  for (int i = 0; i < anvil_balls; ++i) {
+    const double angle = 2.0 * pi * (0.381966 * i + turn), out = std::sqrt((i + 0.5) / anvil_balls);
+    const double x_m = 1300.0 + 4700.0 * out * std::cos(angle) + draws.between(-250.0, 250.0),
+                 z_m = 2600.0 * out * std::sin(angle) + draws.between(-250.0, 250.0);
     balls.push_back(
-        {{x_m, 9000.0 - 150.0 * out + draws.between(-90.0, 90.0), z_m}, 680.0 - 300.0 * out, 0.7});
+        {{x_m, 9000.0 - 200.0 * out + draws.between(-60.0, 60.0), z_m}, 600.0 - 210.0 * out, 0.7});
   }
   return balls;
 }

@@ -23,10 +23,11 @@
 #define SOURCE_EDGES 0.6f
 // What lies behind this little of the scaled light is not looked at, and taken to be as what lies before.
 #define LEAST_KEPT 3e-2f
-// Lumps smaller than particles: what they add to the density and take from it, 1 in the mean, and pixels of a texel of
-// noise between which they fade in.
-#define LUMP_STRENGTH 1.0f
-#define LUMP_MEAN 1.063f
+// Lumps smaller than particles: what they add to the density and take from it, and pixels of a texel of noise between
+// which they fade in. No density is below 0, so that its mean would rise by LUMP_MEAN of their strength's cube, within
+// 2 % up to a strength of 1.6.
+#define LUMP_STRENGTH 1.5f
+#define LUMP_MEAN 0.063f
 #define FAINT_TEXEL_PX 0.25f
 #define CLEAR_TEXEL_PX 0.8f
 // Directions this near to level see sky and ground, mixed.
@@ -201,12 +202,13 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
         const lanes middle = way + half_piece;
         const lanes texel_px = lump_px / most(middle, (lanes)1.0f);
         if (volume.lumps > 0.0f && any_lane(mask_of(texel_px > FAINT_TEXEL_PX))) {
-          const lanes clear =
-              volume.lumps * clamp((texel_px - FAINT_TEXEL_PX) / (CLEAR_TEXEL_PX - FAINT_TEXEL_PX), (lanes)0.0f, (lanes)1.0f);
+          const lanes strength =
+              LUMP_STRENGTH * volume.lumps *
+              clamp((texel_px - FAINT_TEXEL_PX) / (CLEAR_TEXEL_PX - FAINT_TEXEL_PX), (lanes)0.0f, (lanes)1.0f);
           const lanes lump = lump_at(arrays.noise, fma(middle, rays.x * a_lump, (lanes)lump_x),
                                      fma(middle, rays.y * a_lump, (lanes)lump_y), fma(middle, rays.z * a_lump, (lanes)lump_z));
-          extinction *= most(fma(LUMP_STRENGTH * clear, lump, (lanes)1.0f), (lanes)0.0f) /
-                        fma(clear, (lanes)(LUMP_MEAN - 1.0f), (lanes)1.0f);
+          extinction *= most(fma(strength, lump, (lanes)1.0f), (lanes)0.0f) /
+                        fma(strength * strength * strength, (lanes)LUMP_MEAN, (lanes)1.0f);
         }
         if (any_lane(mask_of(extinction > 0.0f) & mask_of(middle > sourced_to))) {
           const lanes source_at = way + 0.5f * source_m;

@@ -29,6 +29,6 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_boun
   const CloudParticle anchor = particles[has_any ? grid.first : 0];
   const CloudMarchBounds found = {low.x, low.y, low.z, high.x, high.y, high.z, grid.first, has_any ? grid.end : grid.first,
                                   cbrt(box.x * box.y * box.z / CLOUD_MARCH_EDGES),
-                                  radius_sum / (float)max(grid.end - grid.first, 1), anchor.x, anchor.y, anchor.z};
+                                  radius_sum / (float)max(grid.end - grid.first, 1), anchor.x, anchor.y, anchor.z, anchor.texture};
   bounds[get_group_id(0)] = found;
 }

@@ -177,14 +177,16 @@ Picture means_of_blocks(const Picture& picture, std::size_t side) {
 }
 
 /// What the means of blocks of this many pixels on a side are off those of blocks twice as large, in the
-/// blocks twice as large again that the cloud fills: light at one to two times that scale.
-std::vector<double> band_of(const Picture& light, const Picture& cover, std::size_t side) {
+/// blocks twice as large again of which the cloud covers more than this share: light at one to two times that
+/// scale.
+std::vector<double> band_of(const Picture& light, const Picture& cover, double least_cover,
+                            std::size_t side) {
   const Picture fine = means_of_blocks(light, side), coarse = means_of_blocks(light, 2 * side),
                 covers = means_of_blocks(cover, 4 * side);
   std::vector<double> band;
   for (std::size_t row = 0; row < 4 * covers.height; ++row) {
     for (std::size_t column = 0; column < 4 * covers.width; ++column) {
-      if (covers.at(column / 4, row / 4) > 0.97)
+      if (covers.at(column / 4, row / 4) > least_cover)
         band.push_back(fine.at(column, row) - coarse.at(column / 2, row / 2));
     }
   }
@@ -241,8 +243,9 @@ Picture luminance_of(const ExrContent& light, const std::string& layer) {
 // The rest of a cloud is within 15 %: its underside, the lowest fifth of the pixels of a column that it
 // fills; its lit side, the brightest quarter of the blocks that it fills; and its rim, pixels of which it
 // covers 5 to 90 %. Noise of the paths adds 0.01 or less, 0.03 to the cumulonimbus. Contrast at 2 to 4 and at
-// 4 to 8 pixels, where the cloud fills them, is within 25 %; halves of the paths have independent noise, so
-// that their mean product has none. Fails if light does not reach the right parts of a cloud.
+// 4 to 8 pixels, where the cloud fills them (a stratus 70 % of them), is within 25 %; halves of the paths
+// have independent noise, so that their mean product has none. Fails if light does not reach the right parts
+// of a cloud.
 TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
   constexpr std::size_t width = picture_width / 2, height = picture_height / 2, block = 8;
   const PictureCase& of = GetParam();
@@ -307,12 +310,13 @@ TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
   }
   RecordProperty("mean", std::to_string(drawn / reference));
   RecordProperty("rms", std::to_string(rms));
-  if (genus_is_thin(of)) return;
+  const double least_cover = genus_is_thin(of) ? 0.7 : 0.97;
   const Picture half = luminance_of(light, "half1"), other = luminance_of(light, "half2");
   for (const std::size_t side : {2u, 4u}) {
-    const std::vector<double> ours = band_of(drawn_light, opacity, side);
-    const double right = mean_product(band_of(half, opacity, side), band_of(other, opacity, side));
-    ASSERT_GT(ours.size(), 1000u);
+    const std::vector<double> ours = band_of(drawn_light, opacity, least_cover, side);
+    const double right =
+        mean_product(band_of(half, opacity, least_cover, side), band_of(other, opacity, least_cover, side));
+    ASSERT_GT(ours.size(), 100u);
     ASSERT_GT(right, 0.0);
     const double ratio = std::sqrt(mean_product(ours, ours) / right) * reference / drawn;
     const std::string name = "contrast" + std::to_string(side);
@@ -323,21 +327,23 @@ TEST_P(CloudPictureTest, ShowsTheLightOfPaths) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Suns, CloudPictureTest,
-    testing::Values(PictureCase{"cumulus", 75, 35, 0.07, 0.11}, PictureCase{"cumulus", 170, 35, 0.07, 0.11},
-                    PictureCase{"cumulus", 10, 15, 0.07, 0.14},
-                    PictureCase{"cumulus", 40, 60, 0.1, 0.16, 128, false},
-                    PictureCase{"cumulus", 110, 10, 0.1, 0.16, 128, false},
-                    PictureCase{"cumulus", 150, 60, 0.1, 0.16, 128, false},
-                    PictureCase{"stratus", 75, 35, 0.07, 0.11}, PictureCase{"stratus", 170, 35, 0.07, 0.11},
-                    PictureCase{"stratus", 10, 15, 0.07, 0.14},
-                    PictureCase{"cumulonimbus", 75, 35, 0.07, 0.11, 512},
-                    PictureCase{"cumulonimbus", 170, 35, 0.07, 0.11, 256},
-                    PictureCase{"cumulonimbus", 10, 15, 0.07, 0.14, 256}),
-    [](const auto& of) {
-      return fmt::format("{}_{}_{}", of.param.genus, of.param.azimuth_deg, of.param.elevation_deg);
-    });
+INSTANTIATE_TEST_SUITE_P(Suns, CloudPictureTest,
+                         testing::Values(PictureCase{"cumulus", 75, 35, 0.07, 0.11},
+                                         PictureCase{"cumulus", 170, 35, 0.07, 0.11},
+                                         PictureCase{"cumulus", 10, 15, 0.07, 0.14},
+                                         PictureCase{"cumulus", 40, 60, 0.1, 0.16, 128, false},
+                                         PictureCase{"cumulus", 110, 10, 0.1, 0.16, 128, false},
+                                         PictureCase{"cumulus", 150, 60, 0.1, 0.16, 128, false},
+                                         PictureCase{"stratus", 75, 35, 0.07, 0.11, 256},
+                                         PictureCase{"stratus", 170, 35, 0.07, 0.11, 256},
+                                         PictureCase{"stratus", 10, 15, 0.07, 0.14, 256},
+                                         PictureCase{"cumulonimbus", 75, 35, 0.07, 0.11, 512},
+                                         PictureCase{"cumulonimbus", 170, 35, 0.07, 0.11, 256},
+                                         PictureCase{"cumulonimbus", 10, 15, 0.07, 0.14, 256}),
+                         [](const auto& of) {
+                           return fmt::format("{}_{}_{}", of.param.genus, of.param.azimuth_deg,
+                                              of.param.elevation_deg);
+                         });
 
 class ShippedCloudsTest : public ReferenceComparisonTest, public testing::WithParamInterface<const char*> {};
 
