@@ -2,6 +2,7 @@
 #include "host/scene/prepare/scene_terrain.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -22,6 +23,7 @@
 #include "host/terrain/tiles/tile_builder.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/log_capture.h"
+#include "tests/ocl/scoped_environment.h"
 
 namespace offing::scene {
 namespace {
@@ -58,6 +60,34 @@ class SceneTerrainTest : public testing::Test {
   }
   TemporaryFolder folder_;
 };
+
+// Fails if large generated terrain is not kept for the next scene, is made again, or is taken for other
+// terrain.
+TEST_F(SceneTerrainTest, GeneratedTerrainIsKept) {
+  const test::ScopedEnvironment cache("OFFING_CACHE_DIR", (folder_.path() / "kept").string());
+  const auto heights_of = [](int posts, int seed) {
+    return prepare_terrain(scene_of("[terrain]\nerosion = 0.5\nposts = " + std::to_string(posts) +
+                                    "\nseed = " + std::to_string(seed) + "\n"))
+        ->map->heights_m;
+  };
+  const auto kept = [this] {
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder_.path() / "kept")) {
+      if (file.path().extension() == ".heights") files.push_back(file.path());
+    }
+    return files;
+  };
+  heights_of(65, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "kept")) << "small terrain is not worth a file";
+  const std::vector<float> heights_m = heights_of(513, 1);
+  ASSERT_EQ(kept().size(), 1u);
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(50);
+  std::filesystem::last_write_time(kept().front(), long_ago);
+  EXPECT_EQ(heights_of(513, 1), heights_m);
+  EXPECT_GT(std::filesystem::last_write_time(kept().front()), long_ago) << "a read marks a file as used";
+  EXPECT_NE(heights_of(513, 2), heights_m);
+  EXPECT_EQ(kept().size(), 2u);
+}
 
 // Fails if a scene with ground alone gets a sea, or one with a sea loses it.
 TEST_F(SceneTerrainTest, StandsAloneWithoutAnOceanSection) {

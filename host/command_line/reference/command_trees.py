@@ -9,7 +9,7 @@ ENVIRONMENT = {
     "OFFING_DEVICE": ("device", "OpenCL device to use without --device, in the same forms."),
     "OFFING_CACHE_DIR": (
         "device",
-        "Folder for compiled kernels, the sky visibility of maps and tables of the air. The default is $XDG_CACHE_HOME/offing, or "
+        "Folder for compiled kernels, generated terrain, the sky visibility of maps and tables of the air. The default is $XDG_CACHE_HOME/offing, or "
         "~/.cache/offing. If it is set to nothing, all are made in each run.",
     ),
     "OFFING_MODULE_PATH": (

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +19,7 @@
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
+#include "host/ocl/disk_cache.h"
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/scene/schema/scene_elements.h"
@@ -32,6 +37,37 @@ struct Heights {
   std::optional<double> latitude_deg = {};
 };
 
+// Of kept maps: those of fewer posts are made about as fast as they are read.
+constexpr std::size_t least_kept_posts = 1 << 18, most_kept_posts = 1 << 24;
+constexpr ocl::CacheKind made_maps{"heights", "generated terrain", 256'000'000};
+
+/// All that shapes generated terrain but its code.
+std::string identity_of(const terrain::FractalParameters& ground) {
+  return fmt::format("{} {} {} {} {} {} {} {} {}", ground.posts, ground.side_m, ground.relief_m,
+                     ground.mean_m, ground.longest_m, ground.roughness, ground.erosion,
+                     ground.island_radius_m.value_or(0.0), ground.seed);
+}
+
+/// Heights as ocl::DiskCache keeps them, unless some rows are not what is made today.
+std::optional<std::vector<float>> kept_heights(const ocl::DiskCache& cache,
+                                               const terrain::FractalParameters& ground) {
+  const std::optional<std::vector<std::uint8_t>> kept = cache.load(identity_of(ground));
+  const auto posts = static_cast<std::size_t>(ground.posts);
+  if (!kept || kept->size() != posts * posts * sizeof(float)) return std::nullopt;
+  std::vector<float> heights_m(posts * posts);
+  std::memcpy(heights_m.data(), kept->data(), kept->size());
+  constexpr int rows_tried = 8;
+  terrain::FractalTerrain maker(ground);
+  std::vector<float> row_m(posts);
+  for (int i = 0; i < rows_tried; ++i) {
+    const int row = i * (ground.posts - 1) / (rows_tried - 1);
+    maker.fill_row(row, row_m);
+    const auto first = heights_m.begin() + static_cast<std::ptrdiff_t>(posts) * row;
+    if (!std::equal(row_m.begin(), row_m.end(), first)) return std::nullopt;
+  }
+  return heights_m;
+}
+
 Heights made_heights(const TerrainScene& terrain) {
   const terrain::FractalParameters& parameters = terrain.fractal;
   const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
@@ -40,11 +76,17 @@ Heights made_heights(const TerrainScene& terrain) {
   require_host_memory(bytes_a_post * parameters.posts * parameters.posts, what,
                       "use fewer, or make a file with `offing terrain generate` and tile it with "
                       "`offing terrain tile`");
-  terrain::RowMakers makers(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;
   map.spacing_x_m = map.spacing_z_m = parameters.side_m / (parameters.posts - 1);
   const auto posts = static_cast<std::size_t>(parameters.posts);
+  const bool is_kept = posts * posts >= least_kept_posts && posts * posts <= most_kept_posts;
+  const ocl::DiskCache cache(is_kept ? ocl::DiskCache::default_folder() : "", made_maps);
+  if (std::optional<std::vector<float>> heights_m = kept_heights(cache, parameters)) {
+    map.heights_m = std::move(*heights_m);
+    return {.map = std::make_shared<const HeightMap>(std::move(map))};
+  }
+  terrain::RowMakers makers(parameters);
   map.heights_m.reserve(posts * posts);
   const int rounds = (parameters.posts + makers.rows_at_once() - 1) / makers.rows_at_once();
   TimeEstimate estimate(rounds, what, "use fewer terrain.posts");
@@ -53,6 +95,8 @@ Heights made_heights(const TerrainScene& terrain) {
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
     estimate.step_done();
   }
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(map.heights_m.data());
+  cache.store(identity_of(parameters), {bytes, bytes + map.heights_m.size() * sizeof(float)});
   return {.map = std::make_shared<const HeightMap>(std::move(map))};
 }
 

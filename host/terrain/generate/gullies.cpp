@@ -56,7 +56,7 @@ void Gullies::move_to(double z_m) {
 }
 
 Gullies::Cut Gullies::at(double x_m, double z_m, double slope_x, double slope_z) const {
-  const double slope = std::hypot(slope_x, slope_z);
+  const double slope = std::sqrt(slope_x * slope_x + slope_z * slope_z);
   if (slope == 0.0) return {};
   // Across the slope, radians a cell: two gullies' widths are a cell's side.
   const double turn = 2.0 * std::numbers::pi / cells_a_width;
@@ -74,7 +74,7 @@ Gullies::Cut Gullies::at(double x_m, double z_m, double slope_x, double slope_z)
       imaginary += weight * std::sin(phase);
     }
   }
-  const double size = std::hypot(real, imaginary);
+  const double size = std::sqrt(real * real + imaginary * imaginary);
   if (size == 0.0) return {};
   const double half_depth_m =
       0.5 * depth_ * width_m_ * slope * slope / (slope * slope + half_deep_slope * half_deep_slope);
