@@ -18,6 +18,9 @@ namespace offing::world {
 /// How a mesh is shaded below its highlights.
 enum class BaseShading { phong, gouraud, cartoon, flat };
 
+/// Whether a mesh is drawn.
+enum class MeshVisibility { off, on };
+
 /// What a mesh looks like without its highlights. Colours are linear Rec.709.
 struct MeshMaterial {
   BaseShading shading = BaseShading::phong;
@@ -28,6 +31,7 @@ struct MeshMaterial {
   int cartoon_ramp = -1;    ///< in their place a picture of the world's, from dark at its left to bright
   double outline_px = 0.0;  ///< 0: none
   glm::dvec3 outline_colour{0.0};
+  MeshVisibility visible = MeshVisibility::on;
 };
 
 /// A light beside the sun.

@@ -24,6 +24,7 @@ class WorldMesh {
   ~WorldMesh();
 
   const MeshParameters& parameters() const { return parameters_; }
+  bool is_visible() const { return parameters_.material.visible == MeshVisibility::on; }
   /// Another one for each view that was ever made: what is copied from one need not be copied again.
   std::uint64_t revision() const { return revision_; }
   const highlights::HighlightSurface& surface() const;

@@ -89,6 +89,10 @@ std::optional<Sphere> held_sphere(const ViewState& state, const ShownClouds& sho
   return sphere_of(shown, editing.picked.back());
 }
 
+HandleSet cloud_handles(const ViewState& state) {
+  return state.clouds.pick == CloudPick::particles ? place_handles() : sphere_handles();
+}
+
 void forget_lost_picks(ViewState& state) {
   CloudEditing& editing = state.clouds;
   std::erase_if(editing.picked, [&](const CloudPart& part) { return !has_part(state.scene, part); });
@@ -106,8 +110,8 @@ void CloudEditor::press(ViewState& state, const ShownClouds& shown, const Screen
   pressed_ = {event.clip, event.is_beside && !is_placing};
   const std::optional<Sphere> sphere = held_sphere(state, shown);
   if (is_placing || !sphere) return;
-  const std::optional<CloudHandle> handle =
-      cloud_handle_at(cloud_handle_places(screen, *sphere), pixel_of_clip(screen, event.clip));
+  const std::optional<ObjectHandle> handle = object_handle_at(
+      object_handle_places(screen, *sphere, cloud_handles(state)), pixel_of_clip(screen, event.clip));
   if (!handle) return;
   pressed_.reset();
   grab_ = Grab{*handle, *sphere, event.clip, state.scene, state.clouds.particles, event.clip, false};
@@ -115,8 +119,8 @@ void CloudEditor::press(ViewState& state, const ShownClouds& shown, const Screen
 
 Edit CloudEditor::pull(ViewState& state, const Screen& screen, glm::dvec2 clip, double step_m) {
   if (clip == grab_->at) return Edit::none;
-  const std::optional<CloudPull> pull =
-      cloud_pull(screen, grab_->handle, grab_->sphere, grab_->from, clip, step_m);
+  const std::optional<ObjectPull> pull =
+      object_pull(screen, grab_->handle, grab_->sphere, grab_->from, clip, {.way_m = step_m});
   if (!pull) return Edit::none;
   grab_->at = clip;
   grab_->has_pulled = true;
@@ -161,18 +165,20 @@ Edit CloudEditor::release(ViewState& state, const ShownClouds& shown, const Scre
 }
 
 Edit CloudEditor::turn(ViewState& state, const world::WorldClouds* view, const Screen& screen,
-                       const std::vector<PointerEvent>& events, const PointerNow& pointer) {
+                       std::vector<PointerEvent>& events, const PointerNow& pointer) {
   forget_lost_picks(state);
   const ShownClouds shown{state.scene, view, state.clock.time_s()};
   const double step_m = pointer.is_snapping ? state.clouds.step_m : 0.0;
   Edit edit = Edit::none;
-  for (const PointerEvent& event : events) {
+  std::erase_if(events, [&](const PointerEvent& event) {
+    const bool held = holds();
     if (event.kind == PointerEvent::Kind::pressed) {
       press(state, shown, screen, event);
     } else {
       edit = std::max(edit, release(state, shown, screen, event, step_m));
     }
-  }
+    return held || holds();
+  });
   if (grab_) edit = std::max(edit, pull(state, screen, pointer.clip, step_m));
   return edit;
 }
@@ -192,7 +198,7 @@ Edit CloudEditor::remove(ViewState& state) {
   forget_lost_picks(state);
   CloudEditing& editing = state.clouds;
   if (editing.picked.empty() && editing.particles.empty()) {
-    throw Error(ErrorKind::bad_usage, "nothing of a cloud is picked", "O chooses what clicks pick");
+    throw Error(ErrorKind::bad_usage, "nothing is selected", "click on it, or select it in the list");
   }
   if (!editing.particles.empty()) {
     remove_particles(state.scene, editing.particles);
@@ -208,7 +214,8 @@ Edit CloudEditor::duplicate(ViewState& state, const world::WorldClouds* view) {
   forget_lost_picks(state);
   CloudEditing& editing = state.clouds;
   if (editing.picked.empty()) {
-    throw Error(ErrorKind::bad_usage, "neither a ball nor a cloud is picked", "O chooses what clicks pick");
+    throw Error(ErrorKind::bad_usage, "nothing is selected that can be copied",
+                "click on a mesh, a cloud or a light, or select it in the list");
   }
   const ShownClouds shown{state.scene, view, state.clock.time_s()};
   const Sphere sphere = sphere_of(shown, editing.picked.back());

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "present/editing/cloud_handles.h"
 #include "present/editing/cloud_picker.h"
+#include "present/editing/objects/object_handles.h"
 #include "present/panels/panels.h"
 #include "present/window/window_input.h"
 
@@ -18,8 +18,9 @@ class CloudEditor {
   /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
   /// elsewhere picks, with Shift beside what is picked; a drag with Shift picks what is in its box. Says how
   /// far an edit has come. Throws Error(bad_usage) for what cannot be done.
+  /// Events of a hand on a handle or at a box are taken out.
   Edit turn(ViewState& state, const world::WorldClouds* view, const Screen& screen,
-            const std::vector<PointerEvent>& events, const PointerNow& pointer);
+            std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Whether a handle or a box is held: the mouse does not move the camera then.
   bool holds() const { return grab_ || (pressed_ && is_boxing()); }
   /// The box that is drawn, if one is.
@@ -36,7 +37,7 @@ class CloudEditor {
  private:
   /// What a hand found when it took hold.
   struct Grab {
-    CloudHandle handle;
+    ObjectHandle handle;
     Sphere sphere;
     glm::dvec2 from{0.0};  // in clip coordinates
     scene::Scene before;
@@ -61,6 +62,9 @@ class CloudEditor {
 
 /// What has the handles: the last part that is picked, or the particles; nothing where nothing is.
 std::optional<Sphere> held_sphere(const ViewState& state, const ShownClouds& shown);
+
+/// Those of what is picked: particles have no rim.
+HandleSet cloud_handles(const ViewState& state);
 
 /// Takes out of what is picked what the scene does not have any more.
 void forget_lost_picks(ViewState& state);

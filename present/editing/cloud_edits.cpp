@@ -10,6 +10,7 @@
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
+#include "present/editing/objects/pushed_value.h"
 
 namespace offing::present {
 namespace {
@@ -17,27 +18,14 @@ namespace {
 using scene::CloudScene;
 using scene::Scene;
 
-/// Within the range of a row, in its stored unit.
-double within(const char* key, double value) {
-  const scene::Parameter& row = *scene::find_parameter(key);
-  return std::clamp(value, row.scale * row.low, row.scale * row.high);
-}
-
-/// A value of a cloud, with its keyframes.
-void move_value(Scene& scene, std::size_t cloud, const char* key, double& value, double way) {
-  value = within(key, value + way);
-  const auto track = scene.tracks.find({key, {cloud, 0}});
-  if (track == scene.tracks.end()) return;
-  for (Keyframe& at : track->second.keys) at.value = within(key, at.value + way);
-}
-
 void move_cloud(Scene& scene, std::size_t index, const glm::dvec3& way_m) {
   const double altitude_m = scene::cloud_parameters_of(scene, index).position_m.y;
   CloudScene& cloud = scene.clouds[index];
   if (way_m.y != 0.0 && !cloud.altitude_m) cloud.altitude_m = altitude_m;
-  move_value(scene, index, "cloud.x_m", cloud.position_m.x, way_m.x);
-  if (cloud.altitude_m) move_value(scene, index, "cloud.y_m", *cloud.altitude_m, way_m.y);
-  move_value(scene, index, "cloud.z_m", cloud.position_m.z, way_m.z);
+  for (const auto& [key, way] :
+       {std::pair("cloud.x_m", way_m.x), {"cloud.y_m", way_m.y}, {"cloud.z_m", way_m.z}}) {
+    push_value(scene, key, {index, 0}, way);
+  }
 }
 
 /// Throws Error(bad_usage) where a section has all the elements that it may.
@@ -109,17 +97,17 @@ void move_part(Scene& scene, const CloudPart& part, const glm::dvec3& way_m) {
   }
   glm::dvec3& centre_m = own_balls(scene, part.cloud)[*part.ball].centre_m;
   centre_m += way_m / scene.clouds[part.cloud].scale;
-  centre_m = {within("cloud.ball.x_m", centre_m.x), within("cloud.ball.y_m", centre_m.y),
-              within("cloud.ball.z_m", centre_m.z)};
+  centre_m = {within_range("cloud.ball.x_m", centre_m.x), within_range("cloud.ball.y_m", centre_m.y),
+              within_range("cloud.ball.z_m", centre_m.z)};
 }
 
 void resize_part(Scene& scene, const CloudPart& part, double ratio) {
   if (part.ball) {
     double& radius_m = own_balls(scene, part.cloud)[*part.ball].radius_m;
-    radius_m = within("cloud.ball.radius_m", ratio * radius_m);
+    radius_m = within_range("cloud.ball.radius_m", ratio * radius_m);
   } else {
     double& scale = scene.clouds[part.cloud].scale;
-    scale = within("cloud.scale", ratio * scale);
+    scale = within_range("cloud.scale", ratio * scale);
   }
 }
 
@@ -183,7 +171,7 @@ CloudPart add_ball(Scene& scene, std::optional<std::size_t> cloud, clouds::Genus
   const double scale = changed.clouds[index].scale;
   const glm::dvec3 way_m = ball.centre_m - origin_of_cloud(changed, index, time_s);
   balls.push_back({.centre_m = is_first ? glm::dvec3(0.0) : way_m / scale,
-                   .radius_m = within("cloud.ball.radius_m", ball.radius_m / scale)});
+                   .radius_m = within_range("cloud.ball.radius_m", ball.radius_m / scale)});
   const std::size_t last = balls.size() - 1;
   scene = std::move(changed);
   return {index, last};
@@ -195,8 +183,8 @@ CloudPart add_cloud(Scene& scene, clouds::Genus genus, const glm::dvec3& place_m
   scene.ocean.is_given = scene.has_sea();
   CloudScene cloud;
   cloud.genus = genus;
-  cloud.position_m = {within("cloud.x_m", place_m.x), 0.0, within("cloud.z_m", place_m.z)};
-  cloud.altitude_m = within("cloud.y_m", place_m.y);
+  cloud.position_m = {within_range("cloud.x_m", place_m.x), 0.0, within_range("cloud.z_m", place_m.z)};
+  cloud.altitude_m = within_range("cloud.y_m", place_m.y);
   cloud.seed = scene.clouds.size() + 1;
   scene.clouds.push_back(std::move(cloud));
   return {scene.clouds.size() - 1, {}};

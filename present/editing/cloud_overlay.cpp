@@ -1,12 +1,12 @@
 #include "present/editing/cloud_overlay.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include <imgui.h>
 
 #include "present/editing/cloud_editor.h"
+#include "present/editing/objects/handle_overlay.h"
 
 namespace offing::present {
 namespace {
@@ -15,15 +15,8 @@ constexpr int outline_points = 48;
 // Of more balls than these, outlines would hide the clouds: only those of clouds with a pick are drawn.
 constexpr std::size_t most_outlines = 200;
 
-constexpr ImU32 ball_colour = IM_COL32(255, 255, 255, 150), picked_colour = IM_COL32(255, 200, 40, 255),
-                shade_colour = IM_COL32(0, 0, 0, 160), outline_shade_colour = IM_COL32(0, 0, 0, 60),
-                size_colour = IM_COL32(120, 230, 120, 255), particle_colour = IM_COL32(255, 120, 40, 255);
-constexpr std::array<ImU32, 3> axis_colours{IM_COL32(240, 80, 80, 255), IM_COL32(110, 220, 90, 255),
-                                            IM_COL32(90, 140, 255, 255)};
-
-ImVec2 point(glm::dvec2 place_px) {
-  return {static_cast<float>(place_px.x), static_cast<float>(place_px.y)};
-}
+constexpr ImU32 ball_colour = IM_COL32(255, 255, 255, 150), outline_shade_colour = IM_COL32(0, 0, 0, 60),
+                particle_colour = IM_COL32(255, 120, 40, 255);
 
 class Overlay {
  public:
@@ -52,22 +45,24 @@ class Overlay {
 
   void draw_picks() const {
     for (const CloudPart& part : state_.clouds.picked) {
-      if (has_part(state_.scene, part)) outline(sphere_of(shown_, part), picked_colour, 2.0f);
+      if (has_part(state_.scene, part)) outline(sphere_of(shown_, part), selected_colour, 2.0f);
     }
     const PickedParticles& particles = state_.clouds.particles;
     for (const glm::dvec3& place_m : particles.places_m) {
       if (const auto px = pixel_of(screen_, place_m + particles.push_m))
-        list_.AddCircleFilled(point(*px), 2.0f, particle_colour, 6);
+        list_.AddCircleFilled(screen_point(*px), 2.0f, particle_colour, 6);
     }
     const bool is_lost = std::any_of(state_.clouds.picked.begin(), state_.clouds.picked.end(),
                                      [&](const CloudPart& part) { return !has_part(state_.scene, part); });
     if (is_lost) return;
-    if (const std::optional<Sphere> sphere = held_sphere(state_, shown_)) draw_handles(*sphere);
+    if (const std::optional<Sphere> sphere = held_sphere(state_, shown_))
+      draw_object_handles(list_, screen_, *sphere, cloud_handles(state_));
   }
 
   void draw_box(const ClipBox& box) const {
-    const ImVec2 a = point(pixel_of_clip(screen_, box.low)), b = point(pixel_of_clip(screen_, box.high));
-    list_.AddRect({a.x, b.y}, {b.x, a.y}, picked_colour);
+    const ImVec2 a = screen_point(pixel_of_clip(screen_, box.low)),
+                 b = screen_point(pixel_of_clip(screen_, box.high));
+    list_.AddRect({a.x, b.y}, {b.x, a.y}, selected_colour);
   }
 
  private:
@@ -76,37 +71,12 @@ class Overlay {
     for (const glm::dvec3& place_m : outline_of(sphere, screen_.camera.eye_m, outline_points)) {
       const std::optional<glm::dvec2> px = pixel_of(screen_, place_m);
       if (!px) return;
-      points.push_back(point(*px));
+      points.push_back(screen_point(*px));
     }
     // White alone is lost on a white cloud.
     const int count = static_cast<int>(points.size());
     list_.AddPolyline(points.data(), count, outline_shade_colour, ImDrawFlags_Closed, width_px + 1.5f);
     list_.AddPolyline(points.data(), count, colour, ImDrawFlags_Closed, width_px);
-  }
-
-  void draw_handles(const Sphere& sphere) const {
-    const std::optional<glm::dvec2> middle_px = pixel_of(screen_, sphere.centre_m);
-    if (!middle_px) return;
-    const ImVec2 middle = point(*middle_px);
-    for (const CloudHandlePlace& place : cloud_handle_places(screen_, sphere)) {
-      const ImVec2 at = point(place.place_px);
-      const ImVec2 low(at.x - 5.0f, at.y - 5.0f), high(at.x + 5.0f, at.y + 5.0f);
-      const auto number = static_cast<std::size_t>(place.handle);
-      if (place.handle <= CloudHandle::z) {
-        list_.AddLine(middle, at, axis_colours[number], 2.0f);
-        list_.AddCircleFilled(at, 6.0f, axis_colours[number]);
-        list_.AddCircle(at, 6.0f, shade_colour);
-      } else if (place.handle <= CloudHandle::plane_z) {
-        list_.AddRectFilled(low, high, axis_colours[number - static_cast<std::size_t>(CloudHandle::plane_x)]);
-        list_.AddRect(low, high, shade_colour);
-      } else if (place.handle == CloudHandle::radius) {
-        list_.AddRectFilled(low, high, size_colour);
-        list_.AddRect(low, high, shade_colour);
-      } else {
-        list_.AddCircleFilled(at, 6.0f, picked_colour);
-        list_.AddCircle(at, 6.0f, shade_colour);
-      }
-    }
   }
 
   const ViewState& state_;

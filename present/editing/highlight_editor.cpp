@@ -13,7 +13,6 @@ namespace {
 
 using highlights::DrawnHighlight;
 
-constexpr double click_px = 4.0;  // a press that moves further is no click
 // A push goes no further than this a frame: where the surface bends the next ones fix the way.
 constexpr double most_half_widths = 1.0;
 
@@ -47,7 +46,6 @@ void draw_handle(ImDrawList& list, const HandlePlace& place) {
 
 void HighlightEditor::press(ViewState& state, const std::vector<world::WorldMesh>& meshes,
                             const Screen& screen, glm::dvec2 clip) {
-  pressed_ = clip;
   const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) return;
   const highlights::Projector box = box_in_world(meshes, *state.picked, *highlight);
@@ -56,7 +54,6 @@ void HighlightEditor::press(ViewState& state, const std::vector<world::WorldMesh
   const std::optional<glm::dvec2> from_m = place_on_plane(screen, box, clip);
   if (!from_m) return;
   grab_ = Grab{*handle, highlight->controls, highlight->whole, *from_m};
-  pressed_.reset();
   // Keyframes are set at one time, not all along the way.
   const bool moves = highlight->rule >= 0 &&
                      has_keys(state.scene, {state.picked->mesh, static_cast<std::size_t>(highlight->rule)});
@@ -86,24 +83,19 @@ void HighlightEditor::pull(ViewState& state, const std::vector<world::WorldMesh>
 }
 
 Edit HighlightEditor::turn(ViewState& state, const std::vector<world::WorldMesh>& meshes,
-                           const Screen& screen, const std::vector<PointerEvent>& events,
-                           glm::dvec2 pointer) {
+                           const Screen& screen, std::vector<PointerEvent>& events, glm::dvec2 pointer) {
   Edit edit = Edit::none;
-  for (const PointerEvent& event : events) {
+  std::erase_if(events, [&](const PointerEvent& event) {
+    const bool held = holds();
     if (event.kind == PointerEvent::Kind::pressed) {
       press(state, meshes, screen, event.clip);
-      continue;
-    }
-    if (grab_) {
+    } else if (held) {
       pull(state, meshes, screen, event.clip);
       grab_.reset();
       edit = Edit::done;
-    } else if (pressed_ && glm::distance(pixel_of_clip(screen, *pressed_),
-                                         pixel_of_clip(screen, event.clip)) <= click_px) {
-      state.picked = picker_.pick(meshes, screen.camera, event.clip);
     }
-    pressed_.reset();
-  }
+    return held || holds();
+  });
   if (!grab_) return edit;
   pull(state, meshes, screen, pointer);
   return Edit::going_on;

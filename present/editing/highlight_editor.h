@@ -11,15 +11,15 @@
 
 namespace offing::present {
 
-/// Picks highlights with the mouse and changes them by handles that are drawn over the picture. All edits go
+/// Changes highlights by handles that are drawn over the picture. All edits go
 /// into the scene of the state; the world shows them once the scene is applied.
 class HighlightEditor {
  public:
-  /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
-  /// elsewhere picks the highlight there, or none. Time stops where a handle of what has keyframes is held.
-  /// Says how far an edit has come.
+  /// Takes in what the left button did. A press on a handle of the picked highlight holds it until the button
+  /// is let go; these events are taken out. Time stops where a handle of what has keyframes is held. Says how
+  /// far an edit has come.
   Edit turn(ViewState& state, const std::vector<world::WorldMesh>& meshes, const Screen& screen,
-            const std::vector<PointerEvent>& events, glm::dvec2 pointer);
+            std::vector<PointerEvent>& events, glm::dvec2 pointer);
   /// Whether a handle is held: the mouse does not move the camera then.
   bool holds() const { return grab_.has_value(); }
 
@@ -40,9 +40,7 @@ class HighlightEditor {
   void pull(ViewState& state, const std::vector<world::WorldMesh>& meshes, const Screen& screen,
             glm::dvec2 clip);
 
-  MeshPicker picker_;
   std::optional<Grab> grab_;
-  std::optional<glm::dvec2> pressed_;  // where, in clip coordinates, beside handles
 };
 
 /// Draws the box and the handles of the picked highlight behind ImGui's windows.

@@ -55,24 +55,27 @@ void MeshPicker::prepare(const std::vector<world::WorldMesh>& meshes) {
   }
 }
 
-std::optional<HighlightName> MeshPicker::pick(const std::vector<world::WorldMesh>& meshes,
-                                              const Camera& camera, glm::dvec2 clip) {
+std::optional<MeshHit> MeshPicker::hit(const std::vector<world::WorldMesh>& meshes, const Camera& camera,
+                                       glm::dvec2 clip) {
   prepare(meshes);
-  std::optional<HighlightName> picked;
+  std::optional<MeshHit> first;
+  const glm::dvec3 way = glm::normalize(ray_direction(camera, clip));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!meshes[i].is_visible()) continue;
     const highlights::RigidMotion& motion = meshes[i].motion();
     const glm::dmat3 inverse = glm::transpose(motion.rotation);
     const glm::dvec3 origin_m = inverse * (camera.eye_m - motion.translation_m);
-    const glm::dvec3 direction = inverse * ray_direction(camera, clip);
+    const glm::dvec3 direction = inverse * way;
     const std::optional<highlights::FaceHit> hit = trees_[i].tree.first_hit(origin_m, direction, least);
     if (!hit) continue;
     least = hit->distance;
     const highlights::DrawnHighlight* highlight = nearest_highlight(
         meshes[i], origin_m + hit->distance * direction, meshes[i].surface().face_normals()[hit->face]);
-    picked = highlight == nullptr ? std::optional<HighlightName>() : HighlightName{i, highlight->id};
+    first = MeshHit{i, hit->distance};
+    if (highlight != nullptr) first->highlight = HighlightName{i, highlight->id};
   }
-  return picked;
+  return first;
 }
 
 }  // namespace offing::present

@@ -26,13 +26,21 @@ struct HighlightName {
 const highlights::DrawnHighlight* find_highlight(const std::vector<world::WorldMesh>& meshes,
                                                  const HighlightName& name);
 
+/// Where a ray meets a mesh first.
+struct MeshHit {
+  std::size_t mesh = 0;  ///< in the world's order
+  double distance_m = 0.0;
+  /// The one whose box is nearest to the place, by its own half widths; nothing where that is more than two
+  /// of them away.
+  std::optional<HighlightName> highlight = {};
+};
+
 /// Finds what a ray through a point of the picture meets, among meshes as they were shown last.
 class MeshPicker {
  public:
-  /// The highlight whose box is nearest to where the ray first meets a mesh, by its own half widths; nothing
-  /// where that is more than two of them away, or no mesh is there. `clip` are clip coordinates.
-  std::optional<HighlightName> pick(const std::vector<world::WorldMesh>& meshes, const Camera& camera,
-                                    glm::dvec2 clip);
+  /// Nothing where no mesh is. `clip` are clip coordinates.
+  std::optional<MeshHit> hit(const std::vector<world::WorldMesh>& meshes, const Camera& camera,
+                             glm::dvec2 clip);
 
  private:
   struct Tree {

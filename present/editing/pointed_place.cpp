@@ -12,26 +12,28 @@ namespace {
 
 constexpr double farthest_m = 1000.0, before_eye_m = 30.0;
 
-std::optional<glm::dvec3> surface_at(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
-  std::optional<glm::dvec3> place_m;
-  if (sea.scene().has_sea()) place_m = on_plane(ray_at(screen, clip), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
-  if (sea.terrain() != nullptr && sea.terrain()->is_in_reach()) {
-    const glm::dvec3& eye_m = screen.camera.eye_m;
-    const std::optional<TerrainPick> terrain = pick_terrain(*sea.terrain(), screen.camera, clip);
-    const bool is_before =
-        terrain && (!place_m || glm::distance(terrain->place_m, eye_m) < glm::distance(*place_m, eye_m));
-    if (is_before) place_m = terrain->place_m;
-  }
-  return place_m;
-}
-
 }  // namespace
+
+std::optional<SurfacePlace> seen_surface(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
+  std::optional<SurfacePlace> seen;
+  if (sea.scene().has_sea()) {
+    if (const auto place_m = on_plane(ray_at(screen, clip), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}))
+      seen = {*place_m, true};
+  }
+  if (sea.terrain() == nullptr || !sea.terrain()->is_in_reach()) return seen;
+  const glm::dvec3& eye_m = screen.camera.eye_m;
+  const std::optional<TerrainPick> terrain = pick_terrain(*sea.terrain(), screen.camera, clip);
+  const bool is_before =
+      terrain && (!seen || glm::distance(terrain->place_m, eye_m) < glm::distance(seen->place_m, eye_m));
+  if (is_before) seen = {terrain->place_m, false};
+  return seen;
+}
 
 glm::dvec3 pointed_place(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   if (!sea.scene().has_sea() && sea.terrain() == nullptr) return glm::dvec3(0.0);
   const glm::dvec3& eye_m = screen.camera.eye_m;
-  const std::optional<glm::dvec3> pointed_m = surface_at(sea, screen, clip);
-  if (pointed_m && glm::distance(*pointed_m, eye_m) < farthest_m) return *pointed_m;
+  const std::optional<SurfacePlace> pointed = seen_surface(sea, screen, clip);
+  if (pointed && glm::distance(pointed->place_m, eye_m) < farthest_m) return pointed->place_m;
   const double yaw_rad = screen.camera.yaw_rad;
   const glm::dvec3 before_m = eye_m + before_eye_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
   const auto terrain =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -7,6 +9,14 @@
 #include "present/passes/live_sea.h"
 
 namespace offing::present {
+
+/// The ground or the still water that a point of a picture shows.
+struct SurfacePlace {
+  glm::dvec3 place_m{0.0};  ///< world
+  bool is_water = false;
+};
+/// In clip coordinates; nothing where it shows neither.
+std::optional<SurfacePlace> seen_surface(LiveSea& sea, const Screen& screen, glm::dvec2 clip);
 
 /// Where something is put that is dropped on a picture, world, m: on the ground or the still water that a
 /// point of it shows, in clip coordinates; where that is farther away than a kilometre, or sky, 30 m before

@@ -1,8 +1,14 @@
 #include "present/editing/scene_editing.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "present/editing/cloud_overlay.h"
+#include "present/editing/objects/new_objects.h"
+#include "present/editing/objects/selection.h"
 #include "present/output/camera_path.h"
 
 namespace offing::present {
@@ -10,6 +16,7 @@ namespace offing::present {
 void SceneEditing::begin_anew(SceneHistory history) {
   highlights_ = {};
   clouds_ = {};
+  objects_ = {};
   history_ = std::move(history);
   is_last_noted_ = true;
 }
@@ -22,13 +29,22 @@ SceneHistory SceneEditing::history() const {
 
 bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& events,
                         const PointerNow& pointer) {
-  const bool edits_clouds =
-      state_.clouds.pick != CloudPick::none || state_.clouds.tool != CloudTool::pick || clouds_.holds();
+  std::vector<PointerEvent> left = events;  // by the hand of one editor for the next one
+  const CloudEditing& clouds = state_.clouds;
+  const bool has_tool = clouds.tool != CloudTool::pick;
+  // Of clouds as a whole and of all that is no cloud a click picks whichever it meets.
+  const bool is_of_parts = clouds.pick == CloudPick::balls || clouds.pick == CloudPick::particles || has_tool;
   work([&] {
-    return edits_clouds ? clouds_.turn(state_, sea_.clouds(), screen, events, pointer)
-                        : highlights_.turn(state_, sea_.meshes(), screen, events, pointer.clip);
+    Edit edit = Edit::none;
+    if (clouds.pick != CloudPick::none || has_tool || clouds_.holds()) {
+      edit = clouds_.turn(state_, sea_.clouds(), screen, left, pointer);
+    } else {
+      edit = highlights_.turn(state_, sea_.meshes(), screen, left, pointer.clip);
+    }
+    if (is_of_parts && !objects_.holds()) return edit;
+    return std::max(edit, objects_.turn(state_, sea_, screen, left, pointer));
   });
-  return edits_clouds ? clouds_.holds() : highlights_.holds();
+  return clouds_.holds() || highlights_.holds() || objects_.holds();
 }
 
 void SceneEditing::work(const std::function<Edit()>& deed) {
@@ -53,7 +69,9 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& deed) {
 }
 
 void SceneEditing::finish(Edit edit) {
-  if (edit != Edit::none) clouds_.let_go();
+  if (edit == Edit::none) return;
+  clouds_.let_go();
+  objects_.let_go();
   apply(edit);
 }
 
@@ -80,6 +98,7 @@ bool SceneEditing::edit_sea(Edit edit) {
 }
 
 void SceneEditing::take_scene(scene::Scene scene) {
+  objects_.let_go();
   clouds_.let_go();  // of what it held there may be nothing any more
   take_camera_path(state_.scene, scene);
   scene.view.camera = state_.scene.view.camera;
@@ -124,15 +143,12 @@ void SceneEditing::redo() {
 }
 
 bool SceneEditing::deselect() {
-  if (highlights_.holds() || clouds_.holds()) return true;
+  if (highlights_.holds() || clouds_.holds() || objects_.holds()) return true;
   CloudEditing& clouds = state_.clouds;
-  const bool has_any = state_.pick || state_.picked || clouds.tool != CloudTool::pick ||
-                       !clouds.picked.empty() || !clouds.particles.empty();
+  const bool has_tool = state_.pick || clouds.tool != CloudTool::pick;
   state_.pick.reset();
-  state_.picked.reset();
   clouds.tool = CloudTool::pick;
-  clouds.forget_picks();
-  return has_any;
+  return deselect_objects(state_) || has_tool;
 }
 
 void SceneEditing::next_cloud_pick() {
@@ -159,14 +175,59 @@ void SceneEditing::toggle_tool(CloudTool tool) {
 }
 
 void SceneEditing::remove_picked() {
-  work([&] { return clouds_.remove(state_); });
+  const std::optional<SceneObject> object = selected_object(state_);
+  if (object && object->kind != ObjectKind::cloud) {
+    make([&](scene::Scene& scene) { return remove(scene, *object); });
+  } else {
+    work([&] { return clouds_.remove(state_); });
+  }
 }
 
-void SceneEditing::duplicate_picked() {
-  work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
+void SceneEditing::duplicate_picked(const Screen& screen) {
+  const SceneObject cloud{ObjectKind::cloud, 0};  // tells what there is to say where nothing is selected
+  do_to_object({.kind = ObjectDeed::Kind::duplicate, .object = selected_object(state_).value_or(cloud)},
+               screen);
 }
 
-void SceneEditing::draw(glm::dvec2 pointer) const {
+std::string SceneEditing::remove(scene::Scene& scene, const SceneObject& object) {
+  std::string news = fmt::format("deleted {}", label_of(scene, object));
+  remove_object(scene, object);
+  return news;
+}
+
+void SceneEditing::do_to_object(const ObjectDeed& deed, const Screen& screen) {
+  if (deed.kind == ObjectDeed::Kind::duplicate && deed.object.kind == ObjectKind::cloud)
+    return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
+  std::optional<SceneObject> selected;
+  make([&](scene::Scene& scene) {
+    std::string news;
+    switch (deed.kind) {
+      case ObjectDeed::Kind::add: {
+        const AddedObject added = add_object(scene, deed.added, new_place(sea_, screen));
+        selected = added.object;
+        news = added.news;
+        break;
+      }
+      case ObjectDeed::Kind::duplicate:
+        selected = duplicate_object(scene, deed.object, way_beside(sea_, deed.object, screen));
+        news = fmt::format("added {}", label_of(scene, *selected));
+        break;
+      case ObjectDeed::Kind::remove:
+        news = remove(scene, deed.object);
+        break;
+      case ObjectDeed::Kind::rename:
+        rename_object(scene, deed.object, deed.name);
+        break;
+    }
+    return news;
+  });
+  if (state_.message.is_fault) return;
+  if (selected) select_object(state_, *selected);
+  if (deed.kind == ObjectDeed::Kind::remove) deselect_objects(state_);
+}
+
+void SceneEditing::draw(const Screen& screen, glm::dvec2 pointer) {
+  objects_.draw(state_, sea_, screen);
   if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), state_.camera.camera());
   draw_cloud_overlay(state_, sea_.clouds(), clouds_.box(pointer));
 }

@@ -7,6 +7,8 @@
 
 #include "present/editing/cloud_editor.h"
 #include "present/editing/highlight_editor.h"
+#include "present/editing/objects/object_deed.h"
+#include "present/editing/objects/object_editor.h"
 #include "present/editing/scene_history.h"
 #include "present/panels/panels.h"
 #include "present/passes/live_sea.h"
@@ -44,11 +46,15 @@ class SceneEditing {
   void next_cloud_pick();
   /// Takes the tool, or lays it down.
   void toggle_tool(CloudTool tool);
+  /// Deletes and copies what is selected: of clouds what is picked, else the object. Copies go beside it, as
+  /// the screen shows it.
   void remove_picked();
-  void duplicate_picked();
+  void duplicate_picked(const Screen& screen);
+  /// Adds, copies, deletes or renames an object. What is new is selected.
+  void do_to_object(const ObjectDeed& deed, const Screen& screen);
 
   /// Draws handles behind the panels.
-  void draw(glm::dvec2 pointer) const;
+  void draw(const Screen& screen, glm::dvec2 pointer);
 
  private:
   void apply(Edit edit);
@@ -57,11 +63,14 @@ class SceneEditing {
   /// The scene is another one from here on; its camera stays the user's.
   void take_scene(scene::Scene scene);
   void work(const std::function<Edit()>& deed);
+  /// Returns what there is to say of it.
+  static std::string remove(scene::Scene& scene, const SceneObject& object);
 
   LiveSea& sea_;
   ViewState& state_;
   HighlightEditor highlights_;
   CloudEditor clouds_;
+  ObjectEditor objects_;
   SceneHistory history_;
   bool is_last_noted_ = true;  // of what was begun last
 };

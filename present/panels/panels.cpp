@@ -14,6 +14,7 @@
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/ray_overlay.h"
 #include "present/panels/bookmark_panel.h"
+#include "present/panels/outliner.h"
 #include "present/panels/scene_list_panel.h"
 #include "present/panels/time_graph.h"
 #include "present/window/key_bindings.h"
@@ -257,6 +258,7 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   ImGui::Begin("Offing", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize);
   ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
   draw_clock(state);
+  draw_outliner(state, edits);
   draw_view(state, facts);
   for (const GroupPanel& panel : group_panels()) {
     if (is_in(state.scene, panel.group)) draw_group(panel, state, edits);

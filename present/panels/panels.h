@@ -13,6 +13,7 @@
 #include "host/scene/schema/parameter.h"
 #include "present/editing/cloud_editing.h"
 #include "present/editing/mesh_picker.h"
+#include "present/editing/objects/object_deed.h"
 #include "present/editing/terrain_pick.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/stage_times.h"
@@ -57,8 +58,10 @@ struct ViewState {
   MeshShow meshes = MeshShow::light;
   RayChoice rays = RayChoice::all;
   std::optional<TerrainPick> pick = {};
+  std::optional<SceneObject> object = {};  ///< that is selected, but for clouds: see selected_object()
   std::optional<HighlightName> picked = {};
   CloudEditing clouds = {};
+  std::optional<Renaming> renaming = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
   float kept_hz = 0.0f;          ///< frames a second that quality gives way to; 0: quality stays
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
@@ -93,6 +96,7 @@ struct PanelEdits {
   bool is_camera_moved = false;
   bool wants_save = false;
   bool wants_original = false;                   ///< the scene as it was when the window opened
+  std::optional<ObjectDeed> object = {};         ///< for objects of the scene
   std::optional<ListedScene> wanted_scene = {};  ///< to be opened
   std::optional<glm::dvec2> wanted_place = {};   ///< of the camera, east and south: a click on the map
 };

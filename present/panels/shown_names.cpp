@@ -12,6 +12,7 @@ void for_shown_names(const ViewState& state, const SceneList& scenes,
                      const std::function<void(std::string_view)>& tell) {
   tell(state.message.text);
   tell(state.save_name);
+  if (state.renaming) tell(state.renaming->text);
   tell(scenes.folder().string());
   for (const ListedScene& scene : scenes.beside()) tell(scene.name);
   for (const scene::Parameter& row : scene::parameter_table()) {

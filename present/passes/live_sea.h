@@ -76,6 +76,8 @@ class LiveSea {
   world::WorldTerrain* terrain() { return world_->terrain(); }
   /// nullptr without clouds.
   const world::WorldClouds* clouds() const { return std::as_const(*world_).clouds(); }
+  /// nullptr without floating bodies.
+  const world::WorldBodies* bodies() const { return std::as_const(*world_).bodies(); }
   /// As the last picture shows them.
   const std::vector<world::WorldMesh>& meshes() const { return std::as_const(*world_).meshes(); }
 

@@ -14,6 +14,7 @@
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
+#include "present/editing/objects/scene_objects.h"
 
 namespace offing::present {
 namespace {
@@ -65,24 +66,13 @@ scene::ElementIndex add_element(scene::Scene& scene, const char* key) {
   return scene::last_element(scene, *row.section);
 }
 
-/// That no other element of the list has: "ship", "ship 2" ...
-template <class List>
-std::string unused_name(const List& list, const std::string& stem) {
-  std::string name = stem;
-  for (int number = 2; std::ranges::any_of(list, [&](const auto& each) { return each.name == name; });
-       ++number) {
-    name = fmt::format("{} {}", stem, number);
-  }
-  return name;
-}
-
 std::string add_mesh(scene::Scene& scene, const std::filesystem::path& file, const glm::dvec3& place_m) {
   const std::string name = unused_name(scene.meshes, file.stem().string());
   const scene::ElementIndex element = add_element(scene, "mesh.file");
   store_text(scene, "mesh.file", file.string(), element);
   store_text(scene, "mesh.name", name, element);
   scene.meshes[element.outer].position_m = place_m;
-  return fmt::format("added the mesh {}: its place and scale are in the panel Meshes", name);
+  return fmt::format("added the mesh {}: its place and scale are in the list Objects", name);
 }
 
 std::string add_cloud(scene::Scene& scene, const std::filesystem::path& file) {
@@ -90,7 +80,7 @@ std::string add_cloud(scene::Scene& scene, const std::filesystem::path& file) {
   const scene::ElementIndex element = add_element(scene, "cloud.file");
   store_text(scene, "cloud.file", file.string(), element);
   store_text(scene, "cloud.name", name, element);
-  return fmt::format("added the cloud {}: its place and look are in the panel Clouds", name);
+  return fmt::format("added the cloud {}: its place and look are in the list Objects", name);
 }
 
 std::string take_heights(scene::Scene& scene, const std::filesystem::path& file) {

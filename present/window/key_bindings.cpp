@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 32> bindings{{
+  static constexpr std::array<KeyBinding, 33> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -35,8 +35,9 @@ std::span<const KeyBinding> key_bindings() {
        "choose what clicks on clouds pick: balls, clouds, particles, nothing"},
       {GLFW_KEY_B, "B", place_ball, "switch clicks between placing balls of clouds and picking"},
       {GLFW_KEY_C, "C", place_cloud, "switch clicks between placing clouds and picking"},
-      {GLFW_KEY_J, "J", duplicate_picked, "copy the picked balls or clouds, beside them"},
-      {GLFW_KEY_DELETE, "Delete", remove_picked, "delete the picked balls, clouds or particles"},
+      {GLFW_KEY_J, "J", duplicate_picked, "copy what is selected, beside it"},
+      {GLFW_KEY_D, "Ctrl D", duplicate_picked, "copy what is selected, beside it", GLFW_MOD_CONTROL},
+      {GLFW_KEY_DELETE, "Delete", remove_picked, "delete what is selected"},
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "go to that bookmark of the scene", 0, 9},
@@ -62,17 +63,19 @@ std::optional<KeyPress> press_of(int key, int modifiers) {
 }
 
 std::span<const CameraControl> camera_controls() {
-  static constexpr std::array<CameraControl, 11> controls{{
+  static constexpr std::array<CameraControl, 12> controls{{
       {"W S", "forward, back"},
       {"A D", "left, right"},
       {"E Q", "up, down"},
       {"Shift, Alt", "five times faster (on foot: running), slower"},
       {"Mouse drag", "look around"},
       {"Wheel", "change the speed"},
-      {"Click", "pick a highlight or, after O, a part of a cloud; handles move, turn and resize it"},
+      {"Click",
+       "select a mesh, a light, a cloud or, after O, a part of one; handles move, turn and resize it"},
+      {"Click again", "on the selected mesh: pick the highlight there"},
       {"Shift click", "add a part of a cloud to what is picked"},
       {"Shift drag", "pick the parts of clouds in a box"},
-      {"Ctrl", "while you drag a handle of a cloud: snap to multiples of the step"},
+      {"Ctrl", "while you drag a handle: snap to steps, turns to 15 degrees"},
       {"Middle click", "go to that point of the ground"},
   }};
   return controls;

@@ -128,7 +128,9 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::Scene& shown, dou
   state_.clock = start.clock;
   if (is_paused) state_.clock.toggle_pause();
   state_.pick.reset();
+  state_.object.reset();
   state_.picked.reset();
+  state_.renaming.reset();
   state_.clouds = {};
   state_.save_name = start.save_name;
   state_.existing = start.existing;

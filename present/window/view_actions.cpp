@@ -61,7 +61,7 @@ bool change_view(ViewAction action, ViewState& state) {
   }
 }
 
-bool change_edits(ViewAction action, SceneEditing& editing) {
+bool change_edits(ViewAction action, SceneEditing& editing, const Screen& screen) {
   switch (action) {
     case ViewAction::set_keyframes:
       editing.set_keyframes();
@@ -76,7 +76,7 @@ bool change_edits(ViewAction action, SceneEditing& editing) {
       editing.toggle_tool(CloudTool::place_cloud);
       return true;
     case ViewAction::duplicate_picked:
-      editing.duplicate_picked();
+      editing.duplicate_picked(screen);
       return true;
     case ViewAction::remove_picked:
       editing.remove_picked();

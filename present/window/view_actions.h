@@ -9,8 +9,8 @@ namespace offing::present {
 /// Does what a key asks of the view alone: panels, time and what is shown. False for all other actions.
 bool change_view(ViewAction action, ViewState& state);
 
-/// Does what a key asks of highlights and clouds that are picked, or of the tool that edits them. False for
+/// Does what a key asks of what is selected on a screen, or of the tool that edits clouds. False for
 /// all other actions.
-bool change_edits(ViewAction action, SceneEditing& editing);
+bool change_edits(ViewAction action, SceneEditing& editing, const Screen& screen);
 
 }  // namespace offing::present

@@ -167,7 +167,7 @@ void Viewer::act(KeyPress press) {
     panels_.close_popups();
     return press.action == ViewAction::save ? quit_.save() : quit_.cancel();
   }
-  if (change_view(press.action, state_) || change_edits(press.action, editing_)) return;
+  if (change_view(press.action, state_) || change_edits(press.action, editing_, screen())) return;
   const auto number = static_cast<std::size_t>(press.number);
   switch (press.action) {
     case ViewAction::toggle_walk:
@@ -304,7 +304,8 @@ bool Viewer::has_panels_to_draw() const {
 /// While nobody looks into them, times and graphs need no more than ten new ones a second.
 bool Viewer::are_panels_old() const {
   constexpr double renewed_s = 0.1;
-  const bool has_handles = state_.picked || state_.pick || state_.clouds.pick != CloudPick::none;
+  const bool has_handles =
+      state_.object || state_.picked || state_.pick || state_.clouds.pick != CloudPick::none;
   return has_panels_to_draw() || has_handles || glfwGetTime() - panels_made_s_ > renewed_s;
 }
 
@@ -444,7 +445,7 @@ PanelEdits Viewer::draw_panels() {
   if (sea_.terrain() && state_.shows_map) map_.show(sea_.terrain()->parameters());
   for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
   panels_.begin();
-  editing_.draw(input_.pointer());
+  editing_.draw(screen(), input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
                                                    .capabilities = context_.capabilities(),
                                                    .device = sea_.device(),
@@ -471,6 +472,7 @@ void Viewer::apply(const PanelEdits& edits) {
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
+  if (edits.object) editing_.do_to_object(*edits.object, screen());
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.wants_save) save_scene(true);
   if (edits.wants_original) {

@@ -88,6 +88,7 @@ PixelBox MeshPass::pixels(const world::World& world, const Camera& camera) const
   PixelBox box;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const world::WorldMesh& view = world.meshes()[i];
+    if (!view.is_visible()) continue;
     const MeshViewMatrices matrices(view, camera, capabilities_);
     box = around(box, pixels_of(meshes_[i].geometry.low_m(), meshes_[i].geometry.high_m(), matrices, camera,
                                 1.0 + view.parameters().material.outline_px));
@@ -156,6 +157,7 @@ void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices,
 void MeshPass::draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
                          GLuint environment, MeshPart part) {
   const world::WorldMesh& view = world.meshes()[index];
+  if (!view.is_visible()) return;
   const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
   draw_base(world, index, matrices, request, environment);
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {

@@ -44,6 +44,11 @@ std::array<glm::vec4, 3> planes_of(const world::WorldBodies& bodies, std::size_t
   return planes;
 }
 
+/// Where a hull is not drawn, water is.
+bool is_drawn(const world::World& world, const world::BodySettings& settings) {
+  return settings.mesh >= world.meshes().size() || world.meshes()[settings.mesh].is_visible();
+}
+
 }  // namespace
 
 void HullMask::prepare(const world::World& world, const Camera& camera, glsl::SurfaceUniforms& grid) {
@@ -51,8 +56,10 @@ void HullMask::prepare(const world::World& world, const Camera& camera, glsl::Su
   if (const world::WorldBodies* bodies = world.bodies()) {
     for (std::size_t body = 0; body < std::min(bodies->size(), static_cast<std::size_t>(glsl::most_hulls));
          ++body) {
+      if (!is_drawn(world, bodies->settings()[body])) continue;
+      std::ranges::copy(planes_of(*bodies, body, world.time_s(), camera.eye_m),
+                        grid.hull_planes + 3 * maps.size());
       maps.push_back(bodies->settings()[body].map);
-      std::ranges::copy(planes_of(*bodies, body, world.time_s(), camera.eye_m), grid.hull_planes + 3 * body);
     }
   }
   grid.hull_count = static_cast<int>(maps.size());

@@ -261,8 +261,9 @@ class HeldHandleTest : public SceneEditingTest {
     state_.clouds.pick = CloudPick::balls;
     state_.clouds.picked = {{0, 0}};
     screen_.camera = state_.camera.camera();
-    for (const CloudHandlePlace& place : cloud_handle_places(screen_, balls_of(state_.scene, 0, 0.0)[0])) {
-      if (place.handle == CloudHandle::x) start_ = clip_of(place.place_px);
+    for (const ObjectHandlePlace& place :
+         object_handle_places(screen_, balls_of(state_.scene, 0, 0.0)[0], sphere_handles())) {
+      if (place.handle == ObjectHandle::x) start_ = clip_of(place.place_px);
     }
     using enum PointerEvent::Kind;
     editing_->turn(screen_, {{.kind = pressed, .clip = start_}}, {.clip = start_});

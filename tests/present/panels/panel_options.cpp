@@ -70,7 +70,7 @@ speed_mps = 4
 z_m = 8
 speed_mps = 4
 )";
-// That the pulls bring before the eye: 17.5 m along each axis.
+// That the pulls bring before the eye: 17.5 m along each axis. An edit shows the second one.
 constexpr const char* small_meshes = R"(version = 1
 [camera]
 z_m = 12
@@ -92,6 +92,7 @@ x_m = -16.3
 y_m = -12.5
 z_m = -17.5
 highlights = "off"
+visible = "off"
 )";
 constexpr const char* small_highlights = R"(version = 1
 [camera]

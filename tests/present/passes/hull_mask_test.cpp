@@ -130,6 +130,15 @@ TEST_F(HullMaskTest, ABoatIsDryInside) {
   EXPECT_GT(outside, side_px * side_px / 4);
 }
 
+// Fails if a boat that is not drawn leaves a hole in the water.
+TEST_F(HullMaskTest, AHiddenBoatLeavesNoHole) {
+  world::WorldParameters parameters = world_of_a_boat();
+  parameters.meshes[1].material.visible = world::MeshVisibility::off;
+  look_down(parameters, 1, 8.0, 2.0);
+  if (!stage_) return;
+  for (const Pixel& pixel : pixels()) EXPECT_GT(pixel.distance_m, 0.0);
+}
+
 // Fails if a ship's wake is drawn elsewhere than queries have it, right beside its hull, on cells of at most
 // 5 cm. Bilinear maps of both are read alike, but for OpenGL's 8 bits of place between texels, of 2 m here:
 // measured 0.13 mm, promised 1 cm.

@@ -110,7 +110,8 @@ class WindowCloudsSoakTest : public WindowTest {
     if (!sphere) return;
     int width = 1, height = 1;
     glfwGetWindowSize(viewer_->window(), &width, &height);
-    const auto places = present::cloud_handle_places({state().camera.camera(), {width, height}}, *sphere);
+    const auto places = present::object_handle_places({state().camera.camera(), {width, height}}, *sphere,
+                                                      present::cloud_handles(state()));
     if (places.empty()) return;
     const glm::dvec2 px =
         places[static_cast<std::size_t>(pick(0, static_cast<int>(places.size()) - 1))].place_px;

@@ -18,8 +18,8 @@
 namespace offing::test {
 namespace {
 
-using present::CloudHandle;
 using present::CloudPart;
+using present::ObjectHandle;
 
 constexpr const char* scene_text = R"(version = 1
 [camera]
@@ -76,10 +76,11 @@ class WindowCloudsTest : public WindowTest {
     return {state().scene, viewer_->sea().clouds(), state().clock.time_s()};
   }
   std::vector<present::Sphere> balls() const { return present::balls_of(state().scene, 0, 0.0); }
-  glm::dvec2 handle_px(CloudHandle handle) const {
+  glm::dvec2 handle_px(ObjectHandle handle) const {
     const auto sphere = present::held_sphere(state(), shown());
     if (!sphere) throw std::runtime_error("nothing is picked");
-    for (const present::CloudHandlePlace& place : present::cloud_handle_places(screen(), *sphere)) {
+    for (const present::ObjectHandlePlace& place :
+         present::object_handle_places(screen(), *sphere, present::cloud_handles(state()))) {
       if (place.handle == handle) return place.place_px;
     }
     throw std::runtime_error("the handle is gone");
@@ -143,7 +144,7 @@ TEST_F(WindowCloudsTest, ArrowsMoveBalls) {
   const double yaw_rad = state().camera.camera().yaw_rad;
   pick_first_ball();
   const glm::dvec3 before_m = balls()[0].centre_m;
-  const glm::dvec2 arrow_px = handle_px(CloudHandle::x);
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::x);
   pull(arrow_px, arrow_px + glm::dvec2(40.0, 0.0));
   const glm::dvec3 way_m = balls()[0].centre_m - before_m;
   // The camera looks up at it: a pixel to the right is one along x.
@@ -154,7 +155,7 @@ TEST_F(WindowCloudsTest, ArrowsMoveBalls) {
   EXPECT_FALSE(state().message.is_fault) << message();
   // With Ctrl to a multiple of the step.
   with_key("Control_L", [&] {
-    const glm::dvec2 again_px = handle_px(CloudHandle::x);
+    const glm::dvec2 again_px = handle_px(ObjectHandle::x);
     pull(again_px, again_px + glm::dvec2(33.0, 0.0));
   });
   const double x_m = balls()[0].centre_m.x, step_m = state().clouds.step_m;
@@ -173,7 +174,7 @@ TEST_F(WindowCloudsTest, SeveralAtOnce) {
   with_key("Shift_L", [&] { pull({5.0, 5.0}, {390.0, 290.0}); });
   EXPECT_EQ(state().clouds.picked.size(), 2u);
   const std::vector<present::Sphere> before = balls();
-  const glm::dvec2 arrow_px = handle_px(CloudHandle::y);
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::y);
   pull(arrow_px, arrow_px - glm::dvec2(0.0, 20.0));
   const double way_m = balls()[0].centre_m.y - before[0].centre_m.y;
   EXPECT_GT(way_m, 10.0);
@@ -197,10 +198,10 @@ TEST_F(WindowCloudsTest, WholeClouds) {
   EXPECT_TRUE(state().clouds.picked.empty());
   click(spot_of(balls()[0].centre_m));
   ASSERT_EQ(state().clouds.picked, (std::vector<CloudPart>{{0, {}}}));
-  const glm::dvec2 rim_px = handle_px(CloudHandle::radius);
+  const glm::dvec2 rim_px = handle_px(ObjectHandle::radius);
   pull(rim_px, rim_px - glm::dvec2(20.0, 0.0));
   EXPECT_GT(state().scene.clouds[0].scale, 1.1);
-  const glm::dvec2 middle_px = handle_px(CloudHandle::free);
+  const glm::dvec2 middle_px = handle_px(ObjectHandle::free);
   pull(middle_px, middle_px + glm::dvec2(-30.0, 0.0));
   EXPECT_LT(state().scene.clouds[0].position_m.x, -20.0);
   press("Delete");
@@ -224,7 +225,7 @@ TEST_F(WindowCloudsTest, ParticlesByHand) {
   ASSERT_GT(picked, 2u);
   ASSERT_LT(picked, count);
   const std::vector<unsigned char> untouched = settled_image();
-  const glm::dvec2 arrow_px = handle_px(CloudHandle::y);
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::y);
   pull(arrow_px, arrow_px - glm::dvec2(0.0, 30.0));
   ASSERT_EQ(state().scene.clouds[0].edits.size(), 1u);
   EXPECT_GT(state().scene.clouds[0].edits[0].push_m.y, 20.0);
@@ -259,7 +260,7 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   const std::vector<unsigned char> placed = settled_image();
   EXPECT_FALSE(placed == untouched);
   press("b");
-  const glm::dvec2 rim_px = handle_px(CloudHandle::radius);
+  const glm::dvec2 rim_px = handle_px(ObjectHandle::radius);
   pull(rim_px, rim_px - glm::dvec2(12.0, 0.0));
   EXPECT_GT(balls()[3].radius_m, 170.0);
   const std::vector<unsigned char> resized = settled_image();

@@ -93,8 +93,8 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       {ViewAction::next_cloud_pick, says("clicks on clouds pick")},
       {ViewAction::place_ball, says("clicks place balls")},
       {ViewAction::place_cloud, says("clicks place clouds")},
-      {ViewAction::duplicate_picked, says("neither a ball nor a cloud is picked")},
-      {ViewAction::remove_picked, says("nothing of a cloud is picked")},
+      {ViewAction::duplicate_picked, says("nothing is selected that can be copied")},
+      {ViewAction::remove_picked, says("nothing is selected")},
       {ViewAction::deselect,
        [](const auto& a, const auto& b) {
          return a.clouds.tool != present::CloudTool::pick && b.clouds.tool == present::CloudTool::pick;

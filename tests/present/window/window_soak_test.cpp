@@ -84,6 +84,10 @@ class WindowSoakTest : public WindowTest {
     const std::string_view name = over == nullptr ? "" : over->Name;
     if (name.find("/beside_") != name.npos || name.find("/shipped_") != name.npos) return;
     ImGuiWindow* panel = main_panel();
+    // New objects come with memory of their own.
+    const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
+    for (const char* button : {"add##objects", "duplicate##objects"})
+      if (panel != nullptr && hovered == panel->GetID(button)) return;
     if (panel != nullptr && panel->WasActive && std::ranges::any_of(sizes, [&](const char* key) {
           return is_hovered_row(*panel, *scene::find_parameter(key));
         })) {
@@ -98,6 +102,8 @@ class WindowSoakTest : public WindowTest {
     const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
     const std::string label = present::parameter_label(row);
     if (hovered == panel.GetID(label.c_str())) return true;
+    // The same row among the values of what is selected.
+    if (hovered == ImHashStr(label.c_str(), 0, panel.GetID("properties"))) return true;
     for (int i = 0; i < most_sections; ++i) {
       if (hovered == ImHashStr(label.c_str(), 0, panel.GetID(i))) return true;
     }

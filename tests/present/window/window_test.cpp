@@ -205,6 +205,11 @@ ImGuiWindow* WindowTest::open_list() {
   return ImGui::FindWindowByName("##Combo_00");
 }
 
+ImGuiWindow* WindowTest::open_menu() {
+  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  return popups.empty() ? nullptr : popups.back().Window;
+}
+
 bool WindowTest::is_hovered(unsigned id) const {
   return ImGui::GetCurrentContext()->HoveredId == id;
 }

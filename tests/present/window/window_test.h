@@ -63,9 +63,10 @@ class WindowTest : public testing::Test {
   int width() const;
   int height() const;
 
-  /// The main panel, or the list that a combo box has opened.
+  /// The main panel, the list that a combo box has opened, or the menu that a button has.
   static ImGuiWindow* main_panel();
   static ImGuiWindow* open_list();
+  static ImGuiWindow* open_menu();
   /// Moves the mouse over a window, `x_px` right of its edge, until it hovers the item of this label,
   /// scrolling as far as needed; a failure if it is not there. Items of
   /// repeated sections have the number of their element.
@@ -74,6 +75,8 @@ class WindowTest : public testing::Test {
   Spot find_triple(ImGuiWindow* window, const std::string& label, std::optional<int> element = {});
   void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
   void choose(const std::string& combo, const std::string& name, std::optional<int> element = {});
+  /// The same of an item that ImGui knows by this id.
+  Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
   /// Frames go by until all clouds are made.
   void wait_for_clouds();
 
@@ -85,7 +88,6 @@ class WindowTest : public testing::Test {
 
  private:
   bool is_hovered(unsigned id) const;
-  Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
 
   int last_y_ = 0;  // of the last item found
 };

@@ -1,0 +1,330 @@
+#include "present/editing/objects/object_editor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <imgui.h>
+
+#include "host/bodies/body_pose.h"
+#include "host/scene/prepare/mesh_motion.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/schema/scene_elements.h"
+#include "present/editing/cloud_picker.h"
+#include "present/editing/objects/handle_overlay.h"
+#include "present/editing/objects/selection.h"
+#include "present/editing/terrain_pick.h"
+
+namespace offing::present {
+namespace {
+
+using highlights::RigidMotion;
+
+constexpr double click_way_px = 4.0;  // a press that moves further is no click
+constexpr double snap_rad = std::numbers::pi / 12.0;
+// Of a light without a place: the arrow begins so far before the eye, and is so long.
+constexpr double aim_ahead_m = 30.0, aim_px = 100.0;
+constexpr std::array aim_handles{ObjectHandle::free};
+constexpr scene::Affects of_objects =
+    scene::Affects::meshes | scene::Affects::mesh_looks | scene::Affects::bodies | scene::Affects::lights;
+
+/// The mesh that is selected, or that the selected body moves.
+std::optional<std::size_t> selected_mesh(const ViewState& state) {
+  const std::optional<SceneObject> object = selected_object(state);
+  if (!object) return {};
+  if (object->kind == ObjectKind::mesh) return object->index;
+  if (object->kind == ObjectKind::body) return hull_of_body(state.scene, object->index);
+  return {};
+}
+
+std::optional<std::size_t> selected_light(const ViewState& state) {
+  const std::optional<SceneObject> object = selected_object(state);
+  if (!object || object->kind != ObjectKind::light) return {};
+  return object->index;
+}
+
+glm::dvec3 in_world(const RigidMotion& motion, const glm::dvec3& place_m) {
+  return motion.rotation * place_m + motion.translation_m;
+}
+
+/// The first of two motions that `both` are, one after the other.
+RigidMotion outer_of(const RigidMotion& both, const RigidMotion& inner) {
+  const glm::dmat3 rotation = both.rotation * glm::transpose(inner.rotation);
+  return {rotation, both.translation_m - rotation * inner.translation_m};
+}
+
+highlights::Source light_at(const ViewState& state, std::size_t light) {
+  return scene::lights_at(state.scene, state.clock.time_s()).at(light).source;
+}
+
+glm::dvec3 aim_from_m(const Screen& screen) {
+  return screen.camera.eye_m + aim_ahead_m * basis(screen.camera).forward;
+}
+
+double aim_length_m(const Screen& screen) {
+  return aim_px * pixel_m(screen, aim_from_m(screen));
+}
+
+/// The direction that a point of the screen means for the end of an arrow: on the sphere around its start,
+/// on the side of the eye, or on its outline.
+glm::dvec3 aimed(const Screen& screen, glm::dvec2 clip, bool is_before) {
+  const Ray ray = ray_at(screen, clip);
+  const glm::dvec3 way_m = aim_from_m(screen) - ray.origin_m;
+  const double along_m = glm::dot(way_m, ray.direction), length_m = aim_length_m(screen);
+  const glm::dvec3 beside_m = along_m * ray.direction - way_m;
+  const double depth_squared = length_m * length_m - glm::dot(beside_m, beside_m);
+  const double depth_m = std::sqrt(std::max(depth_squared, 0.0));
+  return glm::normalize(beside_m + (is_before ? -depth_m : depth_m) * ray.direction);
+}
+
+/// A tenth of what is about as large as the object.
+double step_of(const Sphere& sphere) {
+  return std::pow(10.0, std::floor(std::log10(std::max(sphere.radius_m, 1.0))));
+}
+
+/// How far along a ray the ground is; infinity where it meets none.
+double distance_of_ground_m(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (sea.terrain() == nullptr || !sea.terrain()->is_in_reach()) return none;
+  const std::optional<TerrainPick> ground = pick_terrain(*sea.terrain(), screen.camera, clip);
+  return ground ? ground->distance_m : none;
+}
+
+std::optional<std::size_t> light_near(const ViewState& state, const Screen& screen, glm::dvec2 pointer_px) {
+  for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
+    if (state.scene.lights[i].kind != scene::LightKind::place) continue;
+    const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector);
+    if (place_px && glm::distance(*place_px, pointer_px) <= hand_px) return i;
+  }
+  return {};
+}
+
+void draw_lights(ImDrawList& list, const ViewState& state, const Screen& screen) {
+  constexpr ImU32 light_colour = IM_COL32(250, 220, 120, 255);
+  constexpr int rays = 8;
+  for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
+    if (state.scene.lights[i].kind != scene::LightKind::place) continue;
+    const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector);
+    if (!place_px) continue;
+    list.AddCircleFilled(screen_point(*place_px), 5.5f, handle_shade);
+    list.AddCircleFilled(screen_point(*place_px), 4.5f, light_colour);
+    for (int ray = 0; ray < rays; ++ray) {
+      const double angle_rad = 2.0 * std::numbers::pi * ray / rays;
+      const glm::dvec2 way(std::cos(angle_rad), std::sin(angle_rad));
+      list.AddLine(screen_point(*place_px + 7.0 * way), screen_point(*place_px + 10.0 * way), light_colour,
+                   1.5f);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<HeldPlace> held_place(const ViewState& state, const LiveSea& sea, const Screen& screen) {
+  if (state.picked) return {};
+  if (const std::optional<std::size_t> index = selected_mesh(state)) {
+    if (*index >= sea.meshes().size()) return {};
+    const world::WorldMesh& mesh = sea.meshes()[*index];
+    const bool floats = body_of_mesh(state.scene, *index).has_value();
+    return HeldPlace{{in_world(mesh.motion(), mesh.surface().middle_m()), 0.5 * mesh.surface().diagonal_m()},
+                     floats ? floating_handles() : mesh_handles()};
+  }
+  const std::optional<std::size_t> light = selected_light(state);
+  if (!light) return {};
+  const highlights::Source source = light_at(state, *light);
+  if (source.kind == highlights::Source::Kind::place) return HeldPlace{{source.vector, 0.0}, place_handles()};
+  const glm::dvec3 tip_m = aim_from_m(screen) + aim_length_m(screen) * glm::normalize(source.vector);
+  return HeldPlace{{tip_m, 0.0}, aim_handles, true};
+}
+
+void ObjectEditor::let_go() {
+  grab_.reset();
+  pressed_.reset();
+}
+
+void ObjectEditor::press(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
+  pressed_ = clip;
+  const std::optional<HeldPlace> place = held_place(state, sea, screen);
+  if (!place) return;
+  const std::optional<ObjectHandle> handle = object_handle_at(
+      object_handle_places(screen, place->sphere, place->handles), pixel_of_clip(screen, clip));
+  if (!handle) return;
+  Grab grab{.handle = *handle,
+            .sphere = place->sphere,
+            .held = {},
+            .aims = place->aims,
+            .world = {},
+            .from = clip,
+            .before = state.scene,
+            .at = clip};
+  const double time_s = state.clock.time_s();
+  if (const std::optional<std::size_t> index = selected_mesh(state)) {
+    const world::WorldMesh& mesh = sea.meshes()[*index];
+    grab.world = mesh.motion();
+    if (const std::optional<std::size_t> body = body_of_mesh(state.scene, *index)) {
+      HeldBody held{.body = *body, .hull = index};
+      const bool drives = state.scene.bodies[*body].motion == scene::BodyMotion::forces;
+      if (drives && sea.bodies() != nullptr && *body < sea.bodies()->size()) {
+        const bodies::BodyPose pose = sea.bodies()->pose(*body, time_s);
+        held.pose = {pose.mass_centre_m.x, pose.mass_centre_m.z, bodies::heading_of(pose)};
+      }
+      grab.held = held;
+    } else {
+      HeldMesh held{.mesh = *index, .middle_m = mesh.surface().middle_m()};
+      held.local = scene::motion_of(state.scene, *index)(time_s);
+      if (!state.scene.meshes[*index].aboard.empty()) held.parent = outer_of(mesh.motion(), held.local);
+      grab.held = held;
+    }
+  } else {
+    grab.held = *selected_light(state);
+  }
+  grab_ = std::move(grab);
+}
+
+Edit ObjectEditor::pull(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip, bool snaps) {
+  Grab& grab = *grab_;
+  if (clip == grab.at) return Edit::none;
+  ObjectPull pulled;
+  glm::dvec3 aim_before(0.0), aim_after(0.0);
+  if (grab.aims) {
+    aim_before = glm::normalize(grab.sphere.centre_m - aim_from_m(screen));
+    const bool is_before = glm::dot(aim_before, basis(screen.camera).forward) < 0.0;
+    aim_after = aimed(screen, clip, is_before);
+  } else {
+    const HandleSteps steps{snaps ? step_of(grab.sphere) : 0.0, snaps ? snap_rad : 0.0};
+    const std::optional<ObjectPull> pull =
+        object_pull(screen, grab.handle, grab.sphere, grab.from, clip, steps);
+    if (!pull) return Edit::none;
+    pulled = *pull;
+  }
+  grab.at = clip;
+  grab.pull = pulled;
+  scene::take_values(of_objects, grab.before, state.scene);
+  if (const auto* mesh = std::get_if<HeldMesh>(&grab.held)) pull_mesh(state.scene, *mesh, pulled);
+  if (const auto* body = std::get_if<HeldBody>(&grab.held)) pull_body(state.scene, *body, pulled);
+  if (const auto* light = std::get_if<std::size_t>(&grab.held)) {
+    if (grab.aims) {
+      aim_light(state.scene, *light, aim_before, aim_after);
+    } else {
+      pull_light(state.scene, *light, pulled);
+    }
+  }
+  // Bodies begin anew with each edit; and a large mesh would hold up the hand.
+  constexpr double quick_s = 0.1;
+  if (std::holds_alternative<HeldBody>(grab.held) || sea.edit_s() > quick_s) return Edit::none;
+  grab.is_shown = true;
+  return Edit::going_on;
+}
+
+void ObjectEditor::select_at(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
+  if (const std::optional<std::size_t> light = light_near(state, screen, pixel_of_clip(screen, clip)))
+    return select_object(state, {ObjectKind::light, *light});
+  const std::optional<MeshHit> hit = picker_.hit(sea.meshes(), screen.camera, clip);
+  if (hit && hit->distance_m < distance_of_ground_m(sea, screen, clip)) {
+    const bool is_again = selected_mesh(state) == hit->mesh;
+    if (!is_again) return select_object(state, {ObjectKind::mesh, hit->mesh});
+    state.picked = hit->highlight;
+    return;
+  }
+  if (state.clouds.pick == CloudPick::clouds) return;  // the editor of clouds has looked for one
+  const ShownClouds shown{state.scene, sea.clouds(), state.clock.time_s()};
+  if (const std::optional<CloudPart> cloud = pick_cloud(shown, ray_at(screen, clip)))
+    return select_object(state, {ObjectKind::cloud, cloud->cloud});
+  deselect_objects(state);
+}
+
+Edit ObjectEditor::release(ViewState& state, LiveSea& sea, const Screen& screen, const PointerEvent& event,
+                           bool snaps) {
+  std::optional<glm::dvec2> pressed = std::exchange(pressed_, std::nullopt);
+  const bool is_click = pressed && glm::distance(pixel_of_clip(screen, *pressed),
+                                                 pixel_of_clip(screen, event.clip)) <= click_way_px;
+  if (!grab_) {
+    if (is_click && !event.is_beside) select_at(state, sea, screen, event.clip);
+    return Edit::none;
+  }
+  pull(state, sea, screen, event.clip, snaps);
+  const Grab grab = *std::exchange(grab_, std::nullopt);
+  if (grab.at != grab.from && !is_click) return Edit::done;
+  scene::take_values(of_objects, grab.before, state.scene);
+  // Handles lie over what they move.
+  if (is_click) select_at(state, sea, screen, event.clip);
+  return grab.is_shown ? Edit::going_on : Edit::none;
+}
+
+Edit ObjectEditor::turn(ViewState& state, LiveSea& sea, const Screen& screen,
+                        const std::vector<PointerEvent>& events, const PointerNow& pointer) {
+  Edit edit = Edit::none;
+  for (const PointerEvent& event : events) {
+    if (event.kind == PointerEvent::Kind::pressed) {
+      press(state, sea, screen, event.clip);
+    } else {
+      edit = std::max(edit, release(state, sea, screen, event, pointer.is_snapping));
+    }
+  }
+  if (grab_) edit = std::max(edit, pull(state, sea, screen, pointer.clip, pointer.is_snapping));
+  return edit;
+}
+
+const ObjectEditor::Box& ObjectEditor::box_of(const world::WorldMesh& mesh) {
+  if (box_ && box_->revision == mesh.revision()) return *box_;
+  Box box{mesh.revision(), glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(0.0)};
+  box.high_m = -box.low_m;
+  for (const glm::dvec3& place_m : mesh.surface().mesh().positions_m) {
+    box.low_m = glm::min(box.low_m, place_m);
+    box.high_m = glm::max(box.high_m, place_m);
+  }
+  box_ = box;
+  return *box_;
+}
+
+/// Where a hand has brought it, though the world has not followed yet.
+void ObjectEditor::draw_box(const LiveSea& sea, const Screen& screen, std::size_t index) {
+  const world::WorldMesh& mesh = sea.meshes()[index];
+  const Box& box = box_of(mesh);
+  RigidMotion motion = mesh.motion();
+  double ratio = 1.0;
+  if (grab_ && !grab_->is_shown) {
+    ratio = grab_->pull.ratio;
+    motion.rotation = rotation_of(grab_->pull) * grab_->world.rotation;
+    motion.translation_m =
+        grab_->sphere.centre_m + grab_->pull.way_m - motion.rotation * (ratio * mesh.surface().middle_m());
+  }
+  std::array<std::optional<glm::dvec2>, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 corner((i & 1u) != 0 ? box.high_m.x : box.low_m.x,
+                            (i & 2u) != 0 ? box.high_m.y : box.low_m.y,
+                            (i & 4u) != 0 ? box.high_m.z : box.low_m.z);
+    corners[i] = pixel_of(screen, in_world(motion, ratio * corner));
+  }
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const std::size_t bit : {1u, 2u, 4u}) {
+      const std::size_t other = i | bit;
+      if (other == i || !corners[i] || !corners[other]) continue;
+      list.AddLine(screen_point(*corners[i]), screen_point(*corners[other]), handle_shade, 2.5f);
+      list.AddLine(screen_point(*corners[i]), screen_point(*corners[other]), selected_colour, 1.0f);
+    }
+  }
+}
+
+void ObjectEditor::draw(const ViewState& state, const LiveSea& sea, const Screen& screen) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  if (state.shows_panels) draw_lights(list, state, screen);
+  const std::optional<HeldPlace> place = held_place(state, sea, screen);
+  if (!place) return;
+  if (const std::optional<std::size_t> mesh = selected_mesh(state)) draw_box(sea, screen, *mesh);
+  Sphere sphere = place->sphere;
+  if (grab_ && !grab_->is_shown && !grab_->aims) sphere.centre_m = grab_->sphere.centre_m + grab_->pull.way_m;
+  if (place->aims) {
+    const auto from_px = pixel_of(screen, aim_from_m(screen)), to_px = pixel_of(screen, sphere.centre_m);
+    if (from_px && to_px) list.AddLine(screen_point(*from_px), screen_point(*to_px), selected_colour, 2.0f);
+  }
+  draw_object_handles(list, screen, sphere, place->handles);
+}
+
+}  // namespace offing::present

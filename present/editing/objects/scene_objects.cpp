@@ -1,0 +1,430 @@
+#include "present/editing/objects/scene_objects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/clouds/shape/genera.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
+#include "present/editing/cloud_edits.h"
+#include "present/editing/objects/pushed_value.h"
+
+namespace offing::present {
+namespace {
+
+using scene::ElementIndex;
+using scene::Parameter;
+using scene::Scene;
+
+/// What is the same for all objects of a kind.
+struct KindRow {
+  ObjectKind kind;
+  std::string_view word;  ///< for labels of objects without a name
+  /// A key of the section whose elements they are; empty: there is one at most.
+  std::string_view key;
+  bool has_name;
+};
+constexpr std::array kind_rows{KindRow{ObjectKind::camera, "camera", "", false},
+                               KindRow{ObjectKind::bookmark, "bookmark", "bookmark.name", true},
+                               KindRow{ObjectKind::sky, "sun and sky", "", false},
+                               KindRow{ObjectKind::sea, "sea", "", false},
+                               KindRow{ObjectKind::wake, "wake", "ocean.wake.length_m", false},
+                               KindRow{ObjectKind::terrain, "terrain", "", false},
+                               KindRow{ObjectKind::cloud_layer, "cloud layer", "cloud_layer.coverage", false},
+                               KindRow{ObjectKind::cloud, "cloud", "cloud.name", true},
+                               KindRow{ObjectKind::mesh, "mesh", "mesh.name", true},
+                               KindRow{ObjectKind::body, "body", "body.name", true},
+                               KindRow{ObjectKind::light, "light", "light.name", true}};
+
+const KindRow& row_of(ObjectKind kind) {
+  return *std::ranges::find(kind_rows, kind, &KindRow::kind);
+}
+
+const scene::Section& section_of_kind(ObjectKind kind) {
+  return *scene::find_parameter(row_of(kind).key)->section;
+}
+
+std::size_t count_of_kind(const Scene& scene, ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::camera:
+    case ObjectKind::sky:
+      return 1;
+    case ObjectKind::sea:
+      return scene.has_sea() ? 1 : 0;
+    case ObjectKind::terrain:
+      return scene.terrain.is_given ? 1 : 0;
+    case ObjectKind::wake:
+      return scene.has_sea() ? scene.ocean.wakes.size() : 0;
+    default:
+      return scene::elements_of(scene, section_of_kind(kind)).size();
+  }
+}
+
+std::string name_of_object(const Scene& scene, const SceneObject& object) {
+  const Parameter* row = name_row(object.kind);
+  if (row == nullptr) return {};
+  return std::get<scene::ValueAt<std::string>>(row->storage)
+      .in(scene::struct_at(&scene, *row->section, {object.index, 0}));
+}
+
+/// Begins an element like another one, keyframes included; returns where.
+template <class List>
+std::size_t append_copy(Scene& scene, ObjectKind kind, List& list, std::size_t from) {
+  const Parameter& row = *scene::find_parameter(row_of(kind).key);
+  scene::append_element(scene, row, {.subject = fmt::format("[[{}]]", scene::section_of(row.key))});
+  const std::size_t to = list.size() - 1;
+  list[to] = list[from];
+  std::vector<std::pair<scene::ValueKey, KeyframeTrack>> copies;
+  for (const auto& [key, track] : scene.tracks) {
+    const scene::Section& section = *scene::find_parameter(key.key)->section;
+    const bool is_of_list = &section == row.section || section.repeated_parent() == row.section;
+    if (!is_of_list || key.element.outer != from) continue;
+    copies.emplace_back(key, track);
+    copies.back().first.element.outer = to;
+  }
+  scene.tracks.insert(copies.begin(), copies.end());
+  return to;
+}
+
+void push_place(Scene& scene, std::string_view section, std::size_t index, const glm::dvec3& way_m) {
+  for (const auto& [name, way] : {std::pair("x_m", way_m.x), {"y_m", way_m.y}, {"z_m", way_m.z}}) {
+    const Parameter* row = scene::find_parameter(fmt::format("{}.{}", section, name));
+    if (row != nullptr && way != 0.0) push_value(scene, row->key, {index, 0}, way);
+  }
+}
+
+std::vector<std::size_t> meshes_aboard(const Scene& scene, std::size_t body) {
+  std::vector<std::size_t> meshes;
+  const std::string& name = scene.bodies[body].name;
+  for (std::size_t i = 0; !name.empty() && i < scene.meshes.size(); ++i) {
+    if (scene.meshes[i].aboard == name) meshes.push_back(i);
+  }
+  return meshes;
+}
+
+std::size_t copy_mesh(Scene& scene, std::size_t mesh) {
+  const std::string& name = scene.meshes[mesh].name;
+  const std::string copied_name = unused_name(scene.meshes, name.empty() ? "mesh" : name);
+  const std::size_t copy = append_copy(scene, ObjectKind::mesh, scene.meshes, mesh);
+  scene.meshes[copy].name = copied_name;
+  return copy;
+}
+
+/// With its hull and what is aboard; returns the hull's copy and the body's.
+std::pair<std::size_t, std::size_t> copy_body(Scene& scene, std::size_t body, std::size_t hull,
+                                              const glm::dvec3& way_m) {
+  const std::vector<std::size_t> aboard = meshes_aboard(scene, body);
+  const std::string name = scene.bodies[body].name;
+  const std::string copied_name = unused_name(scene.bodies, name.empty() ? "body" : name);
+  const std::size_t mesh = copy_mesh(scene, hull);
+  const std::size_t copy = append_copy(scene, ObjectKind::body, scene.bodies, body);
+  scene.bodies[copy].name = copied_name;
+  scene.bodies[copy].mesh = scene.meshes[mesh].name;
+  push_place(scene, "body", copy, way_m);
+  for (const std::size_t each : aboard) scene.meshes[copy_mesh(scene, each)].aboard = copied_name;
+  return {mesh, copy};
+}
+
+void remove_element_of(Scene& scene, ObjectKind kind, std::size_t index) {
+  scene::remove_element(scene, section_of_kind(kind), {index, 0});
+}
+
+/// Wake windows that would have no body to follow without this one.
+void remove_wakes_of(Scene& scene, std::size_t body) {
+  const std::string& name = scene.bodies[body].name;
+  for (std::size_t i = scene.ocean.wakes.size(); i-- > 0;) {
+    const scene::WakeScene& wake = scene.ocean.wakes[i];
+    const bool follows = wake.body.empty() ? scene.bodies.size() == 1 : wake.body == name;
+    if (wake.centre == scene::WakeCentre::body && follows) remove_element_of(scene, ObjectKind::wake, i);
+  }
+}
+
+/// From a body's axes to the world, where the body started: its turn is that of a mesh (camera.h), whose yaw
+/// grows from north toward east as a heading does from east toward south.
+void land(Scene& scene, std::size_t mesh, const scene::BodyScene& body) {
+  const double cosine = std::cos(body.heading_rad), sine = std::sin(body.heading_rad);
+  scene::MeshScene& landed = scene.meshes[mesh];
+  const glm::dvec3 place_m = landed.position_m;
+  landed.aboard.clear();
+  const glm::dvec3 there_m(body.x_m + cosine * place_m.x - sine * place_m.z, place_m.y,
+                           body.z_m + sine * place_m.x + cosine * place_m.z);
+  push_place(scene, "mesh", mesh, there_m - place_m);
+  push_value(scene, "mesh.yaw_deg", {mesh, 0}, body.heading_rad);
+}
+
+void remove_body(Scene& scene, std::size_t index) {
+  const scene::BodyScene body = scene.bodies[index];
+  if (const std::optional<std::size_t> hull = hull_of_body(scene, index)) land(scene, *hull, body);
+  for (const std::size_t mesh : meshes_aboard(scene, index)) land(scene, mesh, body);
+  remove_wakes_of(scene, index);
+  remove_element_of(scene, ObjectKind::body, index);
+}
+
+void remove_mesh(Scene& scene, std::size_t index) {
+  std::vector<std::size_t> gone{index};
+  if (const std::optional<std::size_t> body = body_of_mesh(scene, index)) {
+    const std::vector<std::size_t> aboard = meshes_aboard(scene, *body);
+    gone.insert(gone.end(), aboard.begin(), aboard.end());
+    remove_wakes_of(scene, *body);
+    remove_element_of(scene, ObjectKind::body, *body);
+  }
+  std::ranges::sort(gone, std::greater());
+  for (const std::size_t mesh : gone) remove_element_of(scene, ObjectKind::mesh, mesh);
+}
+
+/// Of a section and those below it.
+void forget_values(Scene& scene, std::string_view section) {
+  const auto is_below = [&](const auto& entry) {
+    return entry.first.key.starts_with(section) && entry.first.key.substr(section.size()).starts_with('.');
+  };
+  std::erase_if(scene.tracks, is_below);
+  std::erase_if(scene.set_at, is_below);
+}
+
+void remove_sea(Scene& scene) {
+  if (!scene.bodies.empty()) {
+    throw Error(ErrorKind::bad_usage, "the sea carries bodies: expected none of them", "delete these first");
+  }
+  scene.ocean = {};
+  forget_values(scene, "ocean");
+}
+
+/// All that refer to a name.
+std::vector<std::string*> references_to(Scene& scene, ObjectKind kind, const std::string& name) {
+  std::vector<std::string*> found;
+  const auto look = [&](std::string& text) {
+    if (text == name) found.push_back(&text);
+  };
+  if (kind == ObjectKind::mesh) {
+    for (scene::BodyScene& body : scene.bodies) look(body.mesh);
+  }
+  if (kind == ObjectKind::body) {
+    for (scene::MeshScene& mesh : scene.meshes) look(mesh.aboard);
+    for (scene::WakeScene& wake : scene.ocean.wakes) look(wake.body);
+  }
+  if (kind == ObjectKind::light) {
+    for (scene::MeshScene& mesh : scene.meshes) {
+      for (scene::HighlightScene& highlight : mesh.highlights) look(highlight.light);
+    }
+  }
+  return found;
+}
+
+/// Names refer to the first that has them.
+bool is_first_of_its_name(const Scene& scene, const SceneObject& object, const std::string& name) {
+  for (std::size_t i = 0; i < object.index; ++i) {
+    if (name_of_object(scene, {object.kind, i}) == name) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<SceneObject> objects_of(const Scene& scene) {
+  std::vector<SceneObject> objects;
+  std::vector<bool> is_listed(scene.bodies.size(), false);
+  for (const KindRow& row : kind_rows) {
+    const std::size_t count = count_of_kind(scene, row.kind);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (row.kind == ObjectKind::body && is_listed[i]) continue;
+      objects.push_back({row.kind, i});
+      if (row.kind != ObjectKind::mesh) continue;
+      if (const std::optional<std::size_t> body = body_of_mesh(scene, i)) {
+        objects.push_back({ObjectKind::body, *body});
+        is_listed[*body] = true;
+      }
+    }
+  }
+  return objects;
+}
+
+bool has_object(const Scene& scene, const SceneObject& object) {
+  return object.index < count_of_kind(scene, object.kind);
+}
+
+const Parameter* name_row(ObjectKind kind) {
+  const KindRow& row = row_of(kind);
+  return row.has_name ? scene::find_parameter(row.key) : nullptr;
+}
+
+std::string label_of(const Scene& scene, const SceneObject& object) {
+  const KindRow& row = row_of(object.kind);
+  if (std::string name = name_of_object(scene, object); !name.empty()) return name;
+  if (object.kind == ObjectKind::wake) {
+    const scene::WakeScene& wake = scene.ocean.wakes[object.index];
+    if (wake.centre == scene::WakeCentre::body && !wake.body.empty())
+      return fmt::format("wake of {}", wake.body);
+  }
+  if (object.kind == ObjectKind::cloud_layer) {
+    return fmt::format("{} layer", clouds::range_of(scene.cloud_layers[object.index].genus).name);
+  }
+  return row.key.empty() ? std::string(row.word) : fmt::format("{} {}", row.word, object.index + 1);
+}
+
+std::vector<scene::ParameterGroup> groups_of(ObjectKind kind) {
+  using enum scene::ParameterGroup;
+  switch (kind) {
+    case ObjectKind::camera:
+      return {camera};
+    case ObjectKind::bookmark:
+      return {bookmark};
+    case ObjectKind::sky:
+      return {sun, sky};
+    case ObjectKind::sea:
+      return {wind, sea, foam};
+    case ObjectKind::wake:
+      return {wake};
+    case ObjectKind::terrain:
+      return {terrain};
+    case ObjectKind::cloud_layer:
+      return {cloud_layer};
+    case ObjectKind::cloud:
+      return {cloud};
+    case ObjectKind::mesh:
+      return {mesh};
+    case ObjectKind::body:
+      return {body};
+    case ObjectKind::light:
+      return {light};
+  }
+  return {};
+}
+
+std::optional<std::size_t> hull_of_body(const Scene& scene, std::size_t body) {
+  const std::string& name = scene.bodies[body].mesh;
+  const auto mesh =
+      name.empty() ? scene.meshes.begin() : std::ranges::find(scene.meshes, name, &scene::MeshScene::name);
+  if (mesh == scene.meshes.end()) return {};
+  return static_cast<std::size_t>(mesh - scene.meshes.begin());
+}
+
+std::optional<std::size_t> body_of_mesh(const Scene& scene, std::size_t mesh) {
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    if (hull_of_body(scene, body) == mesh) return body;
+  }
+  return {};
+}
+
+bool can_be_removed(const Scene& scene, const SceneObject& object) {
+  switch (object.kind) {
+    case ObjectKind::camera:
+    case ObjectKind::sky:
+      return false;
+    case ObjectKind::sea:
+      // What has nothing else is a sea.
+      return scene.terrain.is_given || !scene.meshes.empty() || scene.has_clouds();
+    default:
+      return true;
+  }
+}
+
+bool can_be_duplicated(const SceneObject& object) {
+  return !row_of(object.kind).key.empty() && object.kind != ObjectKind::bookmark;
+}
+
+void remove_object(Scene& scene, const SceneObject& object) {
+  if (!can_be_removed(scene, object)) {
+    throw Error(ErrorKind::bad_usage, fmt::format("{}: cannot be deleted", label_of(scene, object)),
+                object.kind == ObjectKind::sea ? "add terrain, a mesh or a cloud, which can be without a sea"
+                                               : "each scene has one");
+  }
+  // Else a sea would come with the last thing that can be without.
+  const bool had_sea = scene.has_sea();
+  switch (object.kind) {
+    case ObjectKind::sea:
+      remove_sea(scene);
+      return;
+    case ObjectKind::terrain:
+      scene.terrain = {};
+      forget_values(scene, "terrain");
+      break;
+    case ObjectKind::mesh:
+      remove_mesh(scene, object.index);
+      break;
+    case ObjectKind::body:
+      remove_body(scene, object.index);
+      break;
+    default:
+      remove_element_of(scene, object.kind, object.index);
+  }
+  scene.ocean.is_given = scene.ocean.is_given || had_sea;
+}
+
+SceneObject duplicate_object(Scene& scene, const SceneObject& object, const glm::dvec3& way_m) {
+  if (!can_be_duplicated(object)) {
+    throw Error(ErrorKind::bad_usage, fmt::format("{}: cannot be copied", label_of(scene, object)),
+                "select a mesh, a body, a cloud, a wake or a light");
+  }
+  Scene changed = scene;  // where there is no room for all nothing has changed
+  SceneObject copy{object.kind, 0};
+  const auto hull =
+      object.kind == ObjectKind::body ? hull_of_body(scene, object.index) : std::optional(object.index);
+  const auto body = object.kind == ObjectKind::mesh   ? body_of_mesh(scene, object.index)
+                    : object.kind == ObjectKind::body ? std::optional(object.index)
+                                                      : std::nullopt;
+  switch (object.kind) {
+    case ObjectKind::mesh:
+    case ObjectKind::body:
+      if (body && hull) {
+        const auto [mesh_copy, body_copy] = copy_body(changed, *body, *hull, way_m);
+        copy.index = object.kind == ObjectKind::mesh ? mesh_copy : body_copy;
+      } else {
+        copy.index = copy_mesh(changed, object.index);
+        push_place(changed, "mesh", copy.index, way_m);
+      }
+      break;
+    case ObjectKind::light: {
+      const std::string name = changed.lights[object.index].name;
+      const std::string copied_name = unused_name(changed.lights, name);
+      copy.index = append_copy(changed, object.kind, changed.lights, object.index);
+      if (!name.empty()) changed.lights[copy.index].name = copied_name;
+      push_place(changed, "light", copy.index, way_m);
+      break;
+    }
+    case ObjectKind::cloud:
+      copy.index = duplicate_parts(changed, {{object.index, {}}}, way_m).front().cloud;
+      break;
+    case ObjectKind::cloud_layer:
+      copy.index = append_copy(changed, object.kind, changed.cloud_layers, object.index);
+      ++changed.cloud_layers[copy.index].seed;
+      push_place(changed, "cloud_layer", copy.index, way_m);
+      break;
+    default:
+      copy.index = append_copy(changed, object.kind, changed.ocean.wakes, object.index);
+      push_place(changed, "ocean.wake", copy.index, way_m);
+  }
+  scene = std::move(changed);
+  return copy;
+}
+
+void rename_object(Scene& scene, const SceneObject& object, const std::string& name) {
+  const Parameter& row = *name_row(object.kind);
+  const std::string before = name_of_object(scene, object);
+  std::vector<std::string*> references;
+  if (!before.empty() && is_first_of_its_name(scene, object, before))
+    references = references_to(scene, object.kind, before);
+  if (name.empty() && !references.empty()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a name, as other sections refer to \"{}\"", row.key, before),
+                "write a name");
+  }
+  if (name.empty()) {
+    std::get<scene::ValueAt<std::string>>(row.storage)
+        .in(scene::struct_at(&scene, *row.section, {object.index, 0}))
+        .clear();
+    return;
+  }
+  scene::store(scene, row, {.value = name, .shown = fmt::format("\"{}\"", one_line(name))},
+               {.subject = std::string(row.key)}, ElementIndex{object.index, 0});
+  for (std::string* reference : references) *reference = name;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/scene/model/scene.h"
+#include "host/scene/schema/parameter.h"
+
+namespace offing::present {
+
+/// What a user can select in a scene. The order is that of the list of objects.
+enum class ObjectKind { camera, bookmark, sky, sea, wake, terrain, cloud_layer, cloud, mesh, body, light };
+
+/// One of them: of a list such as [[mesh]] which one.
+struct SceneObject {
+  ObjectKind kind = ObjectKind::camera;
+  std::size_t index = 0;
+
+  bool operator==(const SceneObject&) const = default;
+};
+
+/// All that a scene has; a body follows the mesh that it moves.
+std::vector<SceneObject> objects_of(const scene::Scene& scene);
+bool has_object(const scene::Scene& scene, const SceneObject& object);
+
+/// The row of the parameter table that names objects of a kind; nullptr for kinds without names.
+const scene::Parameter* name_row(ObjectKind kind);
+/// Its name, or "mesh 2" without one.
+std::string label_of(const scene::Scene& scene, const SceneObject& object);
+/// The parameter groups of its values, that of its own section first.
+std::vector<scene::ParameterGroup> groups_of(ObjectKind kind);
+
+/// The body that a mesh moves with as its hull; nothing where it has none.
+std::optional<std::size_t> body_of_mesh(const scene::Scene& scene, std::size_t mesh);
+/// The mesh that a body moves; nothing where the scene does not have it.
+std::optional<std::size_t> hull_of_body(const scene::Scene& scene, std::size_t body);
+
+bool can_be_removed(const scene::Scene& scene, const SceneObject& object);
+bool can_be_duplicated(const SceneObject& object);
+
+/// Takes an object away with what cannot be without it: with a hull its body, all meshes aboard and the wake
+/// windows that follow it. A body that goes alone leaves its meshes where it started. Throws
+/// Error(bad_usage) for what cannot be removed.
+void remove_object(scene::Scene& scene, const SceneObject& object);
+
+/// The same again, `way_m` beside it, with its keyframes and a name of its own; a hull with its body and all
+/// that is aboard. Returns the copy. Throws Error(bad_input) where the scene takes no more,
+/// Error(bad_usage) for what there is only one of.
+SceneObject duplicate_object(scene::Scene& scene, const SceneObject& object, const glm::dvec3& way_m);
+
+/// Gives it another name, and tells all that refer to it by its name. Throws Error(bad_input) for what no
+/// name can be, and for an empty one where others refer to it.
+void rename_object(scene::Scene& scene, const SceneObject& object, const std::string& name);
+
+/// A name that no other element of a list has: "ship", "ship 2" ...
+template <class List>
+std::string unused_name(const List& list, const std::string& stem) {
+  std::string name = stem;
+  const auto is_used = [&] {
+    for (const auto& each : list) {
+      if (each.name == name) return true;
+    }
+    return false;
+  };
+  for (int number = 2; is_used(); ++number) name = stem + " " + std::to_string(number);
+  return name;
+}
+
+}  // namespace offing::present

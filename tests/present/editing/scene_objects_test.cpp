@@ -1,0 +1,190 @@
+// Objects of a scene: what is listed, and what goes along when one is deleted, copied or renamed.
+#include "present/editing/objects/scene_objects.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/prepare/mesh_motion.h"
+#include "host/scene/prepare/scene_bodies.h"
+#include "present/editing/objects/new_objects.h"
+
+namespace offing::present {
+namespace {
+
+constexpr const char* harbour = R"(version = 1
+[ocean]
+[[ocean.wake]]
+centre = "body"
+body = "ship"
+[[light]]
+name = "lantern"
+kind = "place"
+[[mesh]]
+name = "buoy"
+shape = "sphere"
+x_m = { keys = [{ t = 0, value = 1 }, { t = 10, value = 5 }] }
+[[mesh]]
+name = "hull"
+shape = "ship"
+size_m = 20
+[[mesh.highlight]]
+light = "lantern"
+[[mesh]]
+name = "mast"
+shape = "box"
+aboard = "ship"
+x_m = 2
+y_m = 3
+[[body]]
+name = "ship"
+mesh = "hull"
+draught_m = 1.2
+x_m = 10
+z_m = -5
+heading_deg = 90
+[[bookmark]]
+name = "quay"
+)";
+
+scene::Scene harbour_scene() {
+  return scene::parse_scene(harbour, "harbour.toml", "");
+}
+
+std::vector<std::string> labels_of(const scene::Scene& scene) {
+  std::vector<std::string> labels;
+  for (const SceneObject& object : objects_of(scene)) labels.push_back(label_of(scene, object));
+  return labels;
+}
+
+std::string text_of(const scene::Scene& scene) {
+  return scene::scene_text(scene, "");
+}
+
+// Fails if something of the scene is not listed, or listed twice.
+TEST(SceneObjectsTest, AllAreListed) {
+  EXPECT_EQ(labels_of(harbour_scene()),
+            (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "wake of ship", "buoy", "hull",
+                                      "ship", "mast", "lantern"}));
+}
+
+// Fails if what cannot be without a hull stays, or anything else goes.
+TEST(SceneObjectsTest, AHullTakesItsBodyAlong) {
+  scene::Scene scene = harbour_scene();
+  remove_object(scene, {ObjectKind::mesh, 1});
+  EXPECT_EQ(labels_of(scene),
+            (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "buoy", "lantern"}));
+  EXPECT_EQ(scene.tracks.size(), 1u);
+  EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "rest.toml", ""));
+}
+
+// A body that goes leaves its meshes where it started. Fails if they jump, or the wake still follows it.
+TEST(SceneObjectsTest, ABodyLeavesItsMeshes) {
+  scene::Scene scene = harbour_scene();
+  remove_object(scene, {ObjectKind::body, 0});
+  EXPECT_TRUE(scene.bodies.empty());
+  EXPECT_TRUE(scene.ocean.wakes.empty());
+  EXPECT_TRUE(scene.meshes[2].aboard.empty());
+  // Heading south: forward is +z.
+  const glm::dvec3 mast_m = scene::motion_of(scene, 2)(0.0).translation_m;
+  EXPECT_LE(glm::distance(mast_m, glm::dvec3(10.0, 3.0, -3.0)), 1e-9);
+  const glm::dvec3 bow = scene::motion_of(scene, 1)(0.0).rotation * glm::dvec3(1.0, 0.0, 0.0);
+  EXPECT_LE(glm::distance(bow, glm::dvec3(0.0, 0.0, 1.0)), 1e-9);
+}
+
+// Fails if a copy is the original, shares its name, keyframes or body, or lies on it.
+TEST(SceneObjectsTest, CopiesAreOnTheirOwn) {
+  scene::Scene scene = harbour_scene();
+  const SceneObject buoy = duplicate_object(scene, {ObjectKind::mesh, 0}, {4.0, 0.0, 0.0});
+  EXPECT_EQ(label_of(scene, buoy), "buoy 2");
+  EXPECT_EQ(scene::motion_of(scene, buoy.index)(10.0).translation_m.x, 9.0);
+  EXPECT_EQ(scene::motion_of(scene, 0)(10.0).translation_m.x, 5.0);
+
+  const SceneObject hull = duplicate_object(scene, {ObjectKind::mesh, 1}, {0.0, 0.0, 8.0});
+  EXPECT_EQ(label_of(scene, hull), "hull 2");
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(scene.bodies[1].name, "ship 2");
+  EXPECT_EQ(scene.bodies[1].mesh, "hull 2");
+  EXPECT_EQ(scene.bodies[1].z_m, 3.0);
+  EXPECT_EQ(scene.meshes.back().name, "mast 2");
+  EXPECT_EQ(scene.meshes.back().aboard, "ship 2");
+  EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "copies.toml", ""));
+
+  const SceneObject light = duplicate_object(scene, {ObjectKind::light, 0}, {1.0, 0.0, 0.0});
+  EXPECT_EQ(label_of(scene, light), "lantern 2");
+  EXPECT_EQ(scene.lights[1].place_m.x, scene.lights[0].place_m.x + 1.0);
+  EXPECT_THROW(duplicate_object(scene, {ObjectKind::sea, 0}, {}), Error);
+}
+
+// Fails if something still refers to the name before.
+TEST(SceneObjectsTest, NamesAreFollowed) {
+  scene::Scene scene = harbour_scene();
+  rename_object(scene, {ObjectKind::mesh, 1}, "Rumpf");
+  rename_object(scene, {ObjectKind::body, 0}, "Schiff");
+  rename_object(scene, {ObjectKind::light, 0}, "Laterne");
+  EXPECT_EQ(scene.bodies[0].mesh, "Rumpf");
+  EXPECT_EQ(scene.meshes[2].aboard, "Schiff");
+  EXPECT_EQ(scene.ocean.wakes[0].body, "Schiff");
+  EXPECT_EQ(scene.meshes[1].highlights[0].light, "Laterne");
+  EXPECT_THROW(rename_object(scene, {ObjectKind::mesh, 1}, ""), Error) << "its body needs it";
+  EXPECT_EQ(scene.meshes[1].name, "Rumpf");
+  rename_object(scene, {ObjectKind::mesh, 0}, "");
+  EXPECT_EQ(label_of(scene, {ObjectKind::mesh, 0}), "mesh 1");
+}
+
+// Fails if a scene loses a sea that carries something, or gets one with its last mesh.
+TEST(SceneObjectsTest, TheSeaComesAndGoesAlone) {
+  scene::Scene scene = harbour_scene();
+  EXPECT_THROW(remove_object(scene, {ObjectKind::sea, 0}), Error) << "it carries the ship";
+  remove_object(scene, {ObjectKind::body, 0});
+  remove_object(scene, {ObjectKind::sea, 0});
+  EXPECT_FALSE(scene.has_sea());
+  EXPECT_FALSE(has_object(scene, {ObjectKind::sea, 0}));
+  scene::Scene sea;
+  EXPECT_THROW(remove_object(sea, {ObjectKind::sea, 0}), Error) << "nothing would be left";
+}
+
+// Fails if a new object does not stand where it was asked for, is too small or too large to be seen, or takes
+// the sea away.
+TEST(NewObjectsTest, ShowWellFromWhereTheyAreSeen) {
+  for (const double distance_m : {5.0, 50.0, 800.0}) {
+    NewPlace place{.camera = {}, .place_m = {0.0, 0.0, -distance_m}, .water_m = glm::dvec3(0.0)};
+    place.camera.eye_m = glm::dvec3(0.0);
+    const double height_m = 2.0 * distance_m * std::tan(0.5 * place.camera.vertical_field_of_view_rad);
+    scene::Scene scene;
+    const AddedObject cone = add_object(scene, {.kind = NewObject::Kind::mesh, .shape = 11}, place);
+    ASSERT_EQ(cone.object, (SceneObject{ObjectKind::mesh, 0}));
+    EXPECT_EQ(cone.news, "added the mesh cone");
+    EXPECT_TRUE(scene.has_sea());
+    EXPECT_NEAR(2.0 * scene.meshes[0].size_m / height_m, 0.3, 0.03) << "as high as wide";
+    EXPECT_NEAR(scene.meshes[0].position_m.y, scene.meshes[0].size_m, 1e-9) << "it stands on its base";
+  }
+}
+
+// Fails if a boat lacks what makes it sail and be followed, if a second one shares its parts, or if there is
+// one without water.
+TEST(NewObjectsTest, BoatsHaveHullBodyAndWake) {
+  NewPlace place{.camera = {}, .place_m = glm::dvec3(0.0), .water_m = glm::dvec3(3.0, 0.0, -40.0)};
+  scene::Scene scene;
+  for (int i = 0; i < 2; ++i) add_object(scene, {.kind = NewObject::Kind::boat}, place);
+  const std::string text = text_of(scene);
+  const scene::Scene read = scene::parse_scene(text, "boats.toml", "");
+  ASSERT_EQ(read.bodies.size(), 2u) << text;
+  EXPECT_EQ(read.bodies[1].name, "boat 2");
+  EXPECT_EQ(read.meshes[scene::mesh_of_body(read, 1)].name, "boat 2 hull");
+  EXPECT_EQ(read.ocean.wakes[1].body, "boat 2");
+  EXPECT_GT(read.bodies[0].speed_mps, 1.0);
+  EXPECT_GT(read.bodies[0].thrust_n, 0.0);
+  place.water_m.reset();
+  EXPECT_THROW(add_object(scene, {.kind = NewObject::Kind::boat}, place), Error);
+  EXPECT_EQ(text_of(scene), text);
+}
+
+}  // namespace
+}  // namespace offing::present

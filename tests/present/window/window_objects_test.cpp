@@ -1,0 +1,356 @@
+// The list of objects, clicks that select them in the picture, handles of meshes, bodies and lights, and new
+// objects, a boat among them.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <imgui.h>
+// The rows of the list, which only ImGui knows.
+#include <imgui_internal.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "host/bodies/body_pose.h"
+#include "host/scene/file/scene_file.h"
+#include "present/editing/objects/object_editor.h"
+#include "present/editing/objects/selection.h"
+#include "tests/present/window/window_test.h"
+
+namespace offing::test {
+namespace {
+
+using present::ObjectHandle;
+using present::ObjectKind;
+using present::SceneObject;
+using ::testing::HasSubstr;
+
+// The picture of a window of 480 pixels shows nothing but its right end beside the panel: the spheres stand
+// there.
+constexpr const char* objects_text = R"(version = 1
+[camera]
+x_m = 0
+y_m = 1
+z_m = 6
+yaw_deg = 0
+pitch_deg = 0
+fov_deg = 40
+
+[[light]]
+name = "lantern"
+kind = "place"
+x_m = 0.9
+y_m = 1.1
+z_m = 2
+
+[[mesh]]
+name = "ball"
+shape = "sphere"
+size_m = 0.5
+y_m = 1
+highlights = "off"
+
+[[mesh]]
+name = "box"
+shape = "box"
+size_m = 0.3
+x_m = -1
+y_m = 0.6
+highlights = "off"
+)";
+
+constexpr const char* boat_text = R"(version = 1
+[wind]
+speed_mps = 0.2
+[ocean]
+size = 32
+[camera]
+y_m = 5
+z_m = 0
+pitch_deg = -15
+)";
+
+class WindowObjectsTest : public WindowTest {
+ protected:
+  static present::ViewOptions options_of(const char* text) {
+    present::ViewOptions options = quick_options();
+    options.scene = scene::parse_scene(text, "objects.toml", ".");
+    return options;
+  }
+  /// Opens the window without its panels: small windows are quick to draw.
+  void open_picture() {
+    open(options_of(objects_text));
+    press("Tab");
+    glfwSetWindowSize(viewer_->window(), 400, 300);
+    turn(4);
+  }
+
+  present::Screen screen() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(viewer_->window(), &width, &height);
+    return {state().camera.camera(), {width, height}};
+  }
+  static Spot spot(glm::dvec2 px) {
+    return {static_cast<int>(std::lround(px.x)), static_cast<int>(std::lround(px.y))};
+  }
+  Spot spot_of(const glm::dvec3& place_m) const { return spot(*present::pixel_of(screen(), place_m)); }
+  Spot spot_of_mesh(std::size_t mesh) const { return spot_of(state().scene.meshes[mesh].position_m); }
+  glm::dvec2 handle_px(ObjectHandle handle) const {
+    const auto place = present::held_place(state(), viewer_->sea(), screen());
+    if (!place) throw std::runtime_error("nothing has handles");
+    for (const auto& each : present::object_handle_places(screen(), place->sphere, place->handles)) {
+      if (each.handle == handle) return each.place_px;
+    }
+    throw std::runtime_error("the handle is not there");
+  }
+  std::optional<SceneObject> selected() const { return present::selected_object(state()); }
+
+  Spot row(SceneObject object) { return find_in_row(object, "##object"); }
+  Spot eye(SceneObject object) { return find_in_row(object, "##visible"); }
+  Spot find_in_row(SceneObject object, const std::string& item) {
+    const unsigned list_id = main_panel()->GetID("objects");
+    ImGuiWindow* list = ImGui::FindWindowByName(fmt::format("Offing/objects_{:08X}", list_id).c_str());
+    if (list == nullptr) {
+      ADD_FAILURE() << "there is no list";
+      return {};
+    }
+    const int kind = static_cast<int>(object.kind), index = static_cast<int>(object.index);
+    const unsigned of_kind = ImHashData(&kind, sizeof kind, list->ID);
+    const unsigned of_row = ImHashData(&index, sizeof index, of_kind);
+    const int end_px = static_cast<int>(list->ContentRegionRect.Max.x - list->Pos.x);
+    return find_item(list, present::label_of(state().scene, object), ImHashStr(item.c_str(), 0, of_row),
+                     item == "##object" ? 60 : end_px - 8);
+  }
+  void choose_new(const char* label) {
+    click(find(main_panel(), "add##objects", 20));
+    click(find(open_menu(), label, 20));
+  }
+  /// Takes hold, goes there in steps and lets go.
+  void pull(glm::dvec2 from_px, glm::dvec2 to_px) {
+    hands_->move_to(spot(from_px).x, spot(from_px).y);
+    turn();
+    hands_->button(Hands::Button::left, Hands::Motion::down);
+    turn();
+    for (int step = 1; step <= 4; ++step) {
+      const Spot at = spot(from_px + 0.25 * step * (to_px - from_px));
+      hands_->move_to(at.x, at.y);
+      turn();
+    }
+    hands_->button(Hands::Button::left, Hands::Motion::up);
+    turn(2);
+  }
+};
+
+// Fails if a click in the list selects another object than its row's, or a button or key does not do to it
+// what it says, in one step of undo.
+TEST_F(WindowObjectsTest, TheListSelectsCopiesAndDeletes) {
+  open(options_of(objects_text));
+  const std::string before = edited_text();
+  EXPECT_FALSE(selected());
+  for (const SceneObject object :
+       {SceneObject{ObjectKind::mesh, 1}, {ObjectKind::light, 0}, {ObjectKind::sky, 0}}) {
+    click(row(object));
+    EXPECT_EQ(selected(), object);
+  }
+  click(row({ObjectKind::mesh, 1}));
+  click(find(main_panel(), "duplicate##objects", 70));
+  ASSERT_EQ(state().scene.meshes.size(), 3u) << message();
+  EXPECT_EQ(state().scene.meshes[2].name, "box 2");
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 2})) << "what is new is selected";
+  EXPECT_GT(state().scene.meshes[2].position_m.x, state().scene.meshes[1].position_m.x + 0.5);
+  press("Delete");
+  EXPECT_EQ(edited_text(), before);
+  EXPECT_FALSE(selected());
+  click(row({ObjectKind::light, 0}));
+  press_with_control("d");
+  ASSERT_EQ(state().scene.lights.size(), 2u) << message();
+  click(find(main_panel(), "delete##objects", 150));
+  EXPECT_EQ(edited_text(), before) << message();
+  undo(4);
+  EXPECT_EQ(edited_text(), before);
+  undo();
+  EXPECT_EQ(message(), "there is nothing to undo");
+}
+
+// Fails if a double click does not take a new name, or what is typed is also taken for keys.
+TEST_F(WindowObjectsTest, NamesAreTypedInTheList) {
+  open(options_of(objects_text));
+  ImGui::GetIO().MouseDoubleClickTime = 5.0f;  // where frames are slow
+  const Spot ball = row({ObjectKind::mesh, 0});
+  click(ball);
+  click(ball);
+  ASSERT_TRUE(state().renaming);
+  type("Boje 7");
+  press("Return");
+  turn();
+  EXPECT_EQ(state().scene.meshes[0].name, "Boje 7") << message();
+  EXPECT_FALSE(state().renaming);
+  undo();
+  EXPECT_EQ(state().scene.meshes[0].name, "ball");
+}
+
+// Fails if the eye of a row does not hide its mesh, a hidden mesh can be selected in the picture, or undo
+// does not show it again.
+TEST_F(WindowObjectsTest, TheEyeHidesMeshes) {
+  open(options_of(objects_text));
+  turn(2);
+  const std::vector<unsigned char> both = picture();
+  click(eye({ObjectKind::mesh, 0}));
+  EXPECT_EQ(state().scene.meshes[0].material.visible, world::MeshVisibility::off) << message();
+  const std::vector<unsigned char> one = picture();
+  EXPECT_FALSE(one == both);
+  present::ViewOptions without = options_of(objects_text);
+  without.scene.meshes.erase(without.scene.meshes.begin());
+  undo();
+  EXPECT_TRUE(picture() == both);
+  redo();
+  EXPECT_TRUE(picture() == one);
+  press("Tab");
+  glfwSetWindowSize(viewer_->window(), 400, 300);
+  turn(4);
+  click(spot_of_mesh(0));
+  EXPECT_FALSE(selected());
+  open(without);
+  turn(2);
+  EXPECT_TRUE(picture() == one) << "as if it were not there";
+}
+
+// Fails if a click finds another mesh or light than the one under it, or a click beside all keeps it.
+TEST_F(WindowObjectsTest, ClicksSelectInThePicture) {
+  open_picture();
+  click(spot_of_mesh(0));
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 0}));
+  click(spot_of_mesh(1));
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 1}));
+  click(spot_of(state().scene.lights[0].place_m));
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::light, 0}));
+  click({395, 295});
+  EXPECT_FALSE(selected());
+}
+
+// Fails if an arrow does not bring a mesh where the hand goes, a ring does not turn it, the rim does not
+// resize it, or a drag is not one step of undo.
+TEST_F(WindowObjectsTest, HandlesMoveTurnAndResizeMeshes) {
+  open_picture();
+  const std::string before = edited_text();
+  const double yaw_rad = state().camera.camera().yaw_rad;
+  click(spot_of_mesh(1));
+  ASSERT_EQ(selected(), (SceneObject{ObjectKind::mesh, 1}));
+  const glm::dvec3 place_m = state().scene.meshes[1].position_m;
+  const double metre_px = 1.0 / present::pixel_m(screen(), place_m);
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::x);
+  pull(arrow_px, arrow_px + glm::dvec2(metre_px, 0.0));
+  const glm::dvec3 way_m = state().scene.meshes[1].position_m - place_m;
+  EXPECT_NEAR(way_m.x, 1.0, 0.1);
+  EXPECT_LE(std::hypot(way_m.y, way_m.z), 1e-9);
+  EXPECT_EQ(viewer_->sea().scene().meshes[1].position_m, state().scene.meshes[1].position_m);
+  EXPECT_EQ(state().camera.camera().yaw_rad, yaw_rad) << "the hand holds the mesh, not the camera";
+
+  const glm::dvec2 ring_px = handle_px(ObjectHandle::turn_z);
+  const auto held = present::held_place(state(), viewer_->sea(), screen());
+  const glm::dvec2 middle_px = *present::pixel_of(screen(), held->sphere.centre_m),
+                   arm_px = ring_px - middle_px;
+  pull(ring_px, middle_px + glm::dvec2(arm_px.y, -arm_px.x));
+  EXPECT_NEAR(std::abs(state().scene.meshes[1].roll_rad), 0.5 * std::numbers::pi, 0.1);
+  EXPECT_NEAR(state().scene.meshes[1].yaw_rad, 0.0, 1e-6);
+
+  const glm::dvec2 rim_px = handle_px(ObjectHandle::radius);
+  pull(rim_px, middle_px + 1.5 * (rim_px - middle_px));
+  EXPECT_NEAR(state().scene.meshes[1].scale, 1.5, 0.1);
+  undo(3);
+  EXPECT_EQ(edited_text(), before);
+  undo();
+  EXPECT_EQ(message(), "there is nothing to undo");
+}
+
+// Fails if a hand does not bring a light where it lets go.
+TEST_F(WindowObjectsTest, HandlesMoveLights) {
+  open_picture();
+  press("Tab");  // lights are drawn with the panels
+  press("Tab");
+  click(spot_of(state().scene.lights[0].place_m));
+  const glm::dvec3 place_m = state().scene.lights[0].place_m;
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::y);
+  pull(arrow_px, arrow_px + glm::dvec2(0.0, 40.0));
+  const glm::dvec3 way_m = state().scene.lights[0].place_m - place_m;
+  EXPECT_NEAR(way_m.y, -40.0 * present::pixel_m(screen(), place_m), 0.05);
+  EXPECT_EQ(way_m.x, 0.0);
+  undo();
+  EXPECT_EQ(state().scene.lights[0].place_m, place_m);
+}
+
+// Fails if a new shape is not in the picture, cannot be selected where it is seen, or is not one step of
+// undo.
+TEST_F(WindowObjectsTest, NewMeshesAreSeen) {
+  open(options_of(boat_text));
+  const std::string before = edited_text();
+  click(find(main_panel(), "add##objects", 20));
+  find(open_menu(), "mesh", 20);  // which opens the list of shapes
+  turn(10);
+  click(find(open_menu(), "sphere", 20));
+  ASSERT_EQ(state().scene.meshes.size(), 1u) << message();
+  EXPECT_EQ(state().scene.meshes[0].name, "sphere");
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 0}));
+  EXPECT_TRUE(viewer_->sea().scene().has_sea());
+  const auto px = present::pixel_of(screen(), state().scene.meshes[0].position_m);
+  ASSERT_TRUE(px);
+  EXPECT_GT(px->x, 0.2 * screen().size_px.x);
+  EXPECT_LT(px->x, 0.8 * screen().size_px.x);
+  EXPECT_GT(px->y, 0.2 * screen().size_px.y);
+  EXPECT_LT(px->y, 0.9 * screen().size_px.y);
+  undo();
+  EXPECT_EQ(edited_text(), before);
+}
+
+// From the opened window to a boat that sails and leaves a wake: a click on "add", one on "boat", and the
+// space bar. Fails if it stands still, does not keep its speed, or leaves no waves behind it.
+TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
+  open(options_of(boat_text));
+  choose_new("boat");  // two steps
+  ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
+  EXPECT_THAT(message(), HasSubstr("added boat"));
+  const double start_s = state().clock.time_s();
+  const auto pose_at = [&](double time_s) { return viewer_->sea().bodies()->pose(0, time_s); };
+  press("space");  // the third
+  constexpr double sails_s = 4.0, longest_s = 120.0;
+  const double end_s = glfwGetTime() + longest_s;
+  while (state().clock.time_s() < start_s + sails_s || viewer_->sea().is_behind()) {
+    ASSERT_LT(glfwGetTime(), end_s);
+    turn();
+  }
+  press("space");
+  const bodies::BodyPose start = pose_at(start_s), now = pose_at(start_s + sails_s);
+  const double wanted_mps = state().scene.bodies[0].speed_mps;
+  const double way_m = glm::distance(now.mass_centre_m, start.mass_centre_m);
+  EXPECT_NEAR(way_m / (sails_s * wanted_mps), 1.0, 0.15);
+  EXPECT_NEAR(glm::length(now.velocity_mps) / wanted_mps, 1.0, 0.15) << "the engine keeps its speed";
+  const double length_m = state().scene.meshes[0].size_m;
+  const glm::dvec3 ahead = glm::normalize(now.mass_centre_m - start.mass_centre_m);
+  const auto heights_m = [&](double first_lengths, double step_lengths) {
+    std::vector<double> heights;
+    for (int i = 0; i < 16; ++i) {
+      const glm::dvec3 place_m = now.mass_centre_m + (first_lengths + step_lengths * i) * length_m * ahead;
+      heights.push_back(viewer_->sea().surface_height_m(place_m.x, place_m.z));
+    }
+    return heights;
+  };
+  const auto largest_difference = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+  };
+  const std::vector<double> behind_m = heights_m(-0.7, -0.1), before_m = heights_m(1.2, 0.1);
+  click(row({ObjectKind::wake, 0}));
+  press("Delete");
+  ASSERT_TRUE(state().scene.ocean.wakes.empty()) << message();
+  turn(2);
+  const double wake_m = largest_difference(behind_m, heights_m(-0.7, -0.1));
+  EXPECT_GT(wake_m, 0.005 * length_m) << "waves behind it";
+  EXPECT_LT(largest_difference(before_m, heights_m(1.2, 0.1)), 0.1 * wake_m) << "and none before it";
+}
+
+}  // namespace
+}  // namespace offing::test
