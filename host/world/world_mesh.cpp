@@ -107,8 +107,7 @@ void WorldMesh::at(double time_s, const highlights::LightingAt& lighting, std::o
   tracks.set_places(places);
   if (!has_this_past) tracks.reset(start_s);
   shown_->start_s = start_s;
-  tracks.advance_to(time_s);
-  show(shown_->lighting(time_s));
+  show(tracks.shown_at(time_s), shown_->lighting(time_s));
 }
 
 void WorldMesh::follow(double time_s, const highlights::Lighting& lighting) {
@@ -129,11 +128,11 @@ void WorldMesh::follow(double time_s, const highlights::Lighting& lighting) {
   }
   shown_->start_s.reset();
   shown_->followed_to_s = time_s;
-  show(in_axes);
+  show(tracks.state(), in_axes);
 }
 
-void WorldMesh::show(const highlights::Lighting& lighting) {
-  shown_->drawn->update(shown_->tracks->state(), parameters_.rules, static_cast<int>(lighting.lights.size()));
+void WorldMesh::show(const highlights::TrackState& tracks, const highlights::Lighting& lighting) {
+  shown_->drawn->update(tracks, parameters_.rules, static_cast<int>(lighting.lights.size()));
 }
 
 }  // namespace offing::world

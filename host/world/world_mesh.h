@@ -63,7 +63,7 @@ class WorldMesh {
   struct Shown;
 
   highlights::RigidMotion motion_at(double time_s) const;
-  void show(const highlights::Lighting& lighting_in_mesh_axes);
+  void show(const highlights::TrackState& tracks, const highlights::Lighting& lighting_in_mesh_axes);
 
   MeshParameters parameters_;
   std::uint64_t revision_;

@@ -1,4 +1,5 @@
 // Highlights of turning meshes: nothing pops, and what is there is shown.
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -6,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/io/meshes/read_mesh.h"
@@ -85,6 +87,24 @@ class CoherenceTest : public testing::Test {
 TEST_F(CoherenceTest, OurKnot) {
   expect_coherent(surface(mesh_shapes::make_torus_knot({}, {120, 12}).mesh));
 }
+
+// At 24 frames a second, two and a half steps each: no more in a second than at 30. Fails if frames show
+// the last step before them: three steps in one frame are a fifth more of everything.
+TEST_F(CoherenceTest, FilmRatesKeepTheLimits) {
+  const HighlightSurface shape = surface(mesh_shapes::make_torus_knot({}, {120, 12}).mesh);
+  const test::TurningMesh turning{
+      .degrees_per_frame = 15.0 / 24.0, .frames_per_s = 24.0, .moving_frames = 240};
+  world::WorldMesh view = test::view_of(shape, turning);
+  const test::FrameChanges found = turn(view, turning).changes;
+  const TrackLimits limits;
+  EXPECT_LE(found.fade, limits.fade_per_s / 24.0 + 1e-9);
+  EXPECT_LE(found.scale, std::exp(limits.scale_per_s / 24.0) - 1.0 + 1e-9);
+  // The turn itself moves what stands on the mesh by half its diagonal at most.
+  const double turn_rad = glm::radians(turning.degrees_per_frame);
+  EXPECT_LE(found.move_share, limits.move_per_s / 24.0 + 0.5 * turn_rad);
+  EXPECT_LE(glm::radians(found.turn_deg), limits.turn_radps / 24.0 + turn_rad + 1e-6);
+}
+
 TEST_F(CoherenceTest, Knot) {
   expect_coherent_file("knot_2880.obj");
 }

@@ -1,5 +1,6 @@
 #include "host/highlights/tracks/highlight_tracker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/highlights/search/nearest_face.h"
+#include "host/highlights/search/surface_place.h"
 #include "host/highlights/search/triangle_point.h"
 #include "tests/highlights/example_surfaces.h"
 
@@ -97,6 +99,74 @@ void expect_same(const TrackState& a, const TrackState& b) {
   }
 }
 
+/// Eye and light far away, for a mesh that turns about y.
+Lighting spinning(double time_s, double speed_radps) {
+  const double cosine = std::cos(speed_radps * time_s), sine = std::sin(speed_radps * time_s);
+  const glm::dmat3 turn({cosine, 0.0, sine}, {0.0, 1.0, 0.0}, {-sine, 0.0, cosine});
+  return {{Source::Kind::direction, turn * glm::dvec3(0.0, 0.4, 1.0)},
+          {{Source::Kind::direction, turn * glm::dvec3(0.9, 0.5, 0.3)}}};
+}
+
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / pi;
+}
+
+/// How far from H the normal is where a track is shown.
+double error_deg(const HighlightSurface& shape, const HighlightTrack& track, const Lighting& lighting) {
+  const glm::dvec3& middle_m = track.projector.centre_m;
+  const SurfacePlace place = place_of_face_near(shape, track.seed_face, middle_m);
+  return degrees_between(normal_at(shape, place), half_vector(lighting.eye, lighting.lights[0], middle_m));
+}
+
+// A surface of revolution that turns at 30 degrees a second: its highlight goes around it evenly. Fails if
+// frames show the step before them: the movements then differ by up to twice, and N is up to 0.5 degrees
+// from H.
+TEST_F(HighlightTracksTest, MovesEvenlyAtEveryFrameRate) {
+  const HighlightSurface shape = surface(test::ellipsoid(6, {1.0, 0.6, 1.0}));
+  for (const double fps :
+       {24000.0 / 1001.0, 24.0, 25.0, 30000.0 / 1001.0, 30.0, 50.0, 60000.0 / 1001.0, 60.0, 120.0}) {
+    HighlightTracker tracks(shape, [](double time_s) { return spinning(time_s, pi / 6.0); });
+    glm::dvec3 before_m{0.0};
+    double least_m = 1e9, most_m = 0.0, largest_deg = 0.0;
+    for (int frame = 0; frame <= 48; ++frame) {
+      const double time_s = frame / fps;
+      const std::vector<HighlightTrack>& shown = tracks.shown_at(time_s).tracks;
+      ASSERT_EQ(shown.size(), 1u);
+      largest_deg = std::max(largest_deg, error_deg(shape, shown[0], spinning(time_s, pi / 6.0)));
+      const glm::dvec3 now_m = shown[0].projector.centre_m;
+      if (frame > 0) {
+        least_m = std::min(least_m, glm::distance(before_m, now_m));
+        most_m = std::max(most_m, glm::distance(before_m, now_m));
+      }
+      before_m = now_m;
+    }
+    EXPECT_LE(most_m, 1.05 * least_m) << fps;
+    EXPECT_LE(largest_deg, 0.05) << fps;
+  }
+}
+
+// 90 degrees a second, as a turntable makes them. Fails if highlights stay behind (the limits alone let an
+// ellipsoid's fall back by tens of degrees), or if one that jumps is let go faster.
+TEST_F(HighlightTracksTest, KeepsUpWithAFastTurn) {
+  for (const glm::dvec3& half_axes_m :
+       {glm::dvec3(1.0), glm::dvec3(1.0, 0.8, 0.9), glm::dvec3(1.0, 0.6, 0.4)}) {
+    const HighlightSurface shape = surface(test::ellipsoid(5, half_axes_m));
+    HighlightTracker tracks(shape, [](double time_s) { return spinning(time_s, pi / 2.0); });
+    double largest_deg = 0.0;
+    for (int frame = 1; frame <= 96; ++frame) {
+      const double time_s = frame / 24.0;
+      const Lighting lighting = spinning(time_s, pi / 2.0);
+      for (const HighlightTrack& track : tracks.shown_at(time_s).tracks) {
+        EXPECT_EQ(track.opacity, 1.0);
+        const glm::dvec3 h = half_vector(lighting.eye, lighting.lights[0], track.projector.centre_m);
+        largest_deg = std::max(
+            {largest_deg, error_deg(shape, track, lighting), degrees_between(track.projector.normal, h)});
+      }
+    }
+    EXPECT_LE(largest_deg, 3.0) << half_axes_m.z;
+  }
+}
+
 // Fails if what is shown depends on which frames were asked for, on going back, or on where a replay begins.
 TEST_F(HighlightTracksTest, TheSameTimeShowsTheSame) {
   const HighlightSurface shape = surface(test::bumpy_sphere(3));
@@ -113,6 +183,12 @@ TEST_F(HighlightTracksTest, TheSameTimeShowsTheSame) {
   expect_same(once.state(), often.state());
   restored.advance_to(7.0);
   expect_same(restored.state(), often.state());
+  // Between steps too, whether frames lead there or not.
+  HighlightTracker at_film_rate(shape, circling), at_once(shape, circling);
+  for (int frame = 0; frame <= 101; ++frame) at_film_rate.shown_at(frame / 24.0);
+  expect_same(at_once.shown_at(101 / 24.0), at_film_rate.shown_at(101 / 24.0));
+  at_once.shown_at(7.013);
+  expect_same(at_once.shown_at(101 / 24.0), at_film_rate.shown_at(101 / 24.0));
   // A new start forgets the past.
   often.reset(7.0);
   EXPECT_EQ(often.time_s(), 7.0);

@@ -91,14 +91,20 @@ bool is_covered(const HighlightPoint& point, const std::vector<HighlightTrack>& 
   });
 }
 
-/// The tracks of a mesh, each as opaque as it is drawn.
+/// The tracks of a mesh, each where and as opaque as it is drawn.
 std::vector<HighlightTrack> as_drawn(const world::WorldMesh& view) {
   std::vector<HighlightTrack> tracks = view.tracks()->tracks();
   for (HighlightTrack& track : tracks) track.opacity = 0.0;
   for (const DrawnHighlight& drawn : view.highlights()) {
-    std::lower_bound(tracks.begin(), tracks.end(), drawn.id, [](const auto& track, std::uint64_t id) {
-      return track.id < id;
-    })->opacity += drawn.opacity;
+    auto track =
+        std::lower_bound(tracks.begin(), tracks.end(), drawn.id,
+                         [](const HighlightTrack& known, std::uint64_t id) { return known.id < id; });
+    if (track == tracks.end() || track->id != drawn.id) {  // begins with the next step
+      track = tracks.insert(track, HighlightTrack());
+      track->id = drawn.id;
+    }
+    track->projector = drawn.found;
+    track->opacity += drawn.opacity;
   }
   return tracks;
 }

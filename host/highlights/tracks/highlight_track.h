@@ -16,6 +16,9 @@ struct TrackLimits {
   double scale_per_s = 2.4;   ///< of the natural logarithm of a width
   double turn_radps = 2.094;  ///< of all three axes together
   double fade_per_s = 4.0;    ///< of the opacity
+  /// Where eye, light or mesh turn steadily and so fast that these are more: diagonals, and radians, for
+  /// each radian by which H turns over the surface. Else highlights would stay behind.
+  double move_per_rad = 0.85, turn_per_rad = 2.0;
 };
 
 /// How highlights are followed over time.
@@ -47,8 +50,11 @@ struct HighlightTrack {
   /// Found in the last search, or fading out since it was lost.
   enum class State { alive, fading };
   State state = State::alive;
-  HighlightPoint point;         ///< where N = H, or was
-  glm::dvec3 way_m{0.0};        ///< of the point in the last step
+  HighlightPoint point;   ///< where N = H, or was
+  glm::dvec3 way_m{0.0};  ///< of the point in the last step
+  double turn_rad = 0.0;  ///< of H over the surface in the last step
+  /// The lesser of that of the last two steps: a light that jumps does not raise the limits.
+  double steady_turn_rad = 0.0;
   Projector projector;          ///< as shown: follows the point within the limits
   std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
   double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on

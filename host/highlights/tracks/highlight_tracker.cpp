@@ -11,11 +11,14 @@
 #include "host/base/parameter_check.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "host/highlights/tracks/track_step.h"
+#include "host/highlights/tracks/tracks_between.h"
 
 namespace offing::highlights {
 namespace {
 
 constexpr std::size_t most_keys = 1024;
+// A time this near to a step, in steps, is that step: it differs by rounding.
+constexpr double same_share = 1e-6;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorKind::bad_input, "highlights: state: " + what, "restore a state of the same mesh");
@@ -75,6 +78,7 @@ void HighlightTracker::reset(double start_s, KeyStates keys) {
   require_within("highlights.start_s", start_s, -largest_time_s, largest_time_s);
   start_s_ = start_s;
   light_up(0);
+  next_.reset();
   state_ = first_state(search_.find(*surface_, lit_by_), options_,
                        [this](const HighlightTrack& track) { return lit_share(track); });
   take_places(places_, surface_->diagonal_m(), state_);
@@ -85,24 +89,50 @@ void HighlightTracker::reset(double start_s, KeyStates keys) {
 
 void HighlightTracker::advance_to(double time_s) {
   require_within("highlights.time_s", time_s, start_s_, largest_time_s);
-  // A time that is a step but for rounding is that step.
-  const auto wanted = static_cast<std::int64_t>(std::floor((time_s - start_s_) / options_.step_s + 1e-6));
+  const auto wanted =
+      static_cast<std::int64_t>(std::floor((time_s - start_s_) / options_.step_s + same_share));
   if (wanted < state_.step) {
     const auto after =
         std::upper_bound(keys_.begin(), keys_.end(), wanted,
                          [](std::int64_t step, const TrackState& key) { return step < key.step; });
     go_back_to(after == keys_.begin() ? keys_.front() : *std::prev(after));
   }
+  if (next_ && state_.step < wanted) {
+    state_ = std::move(*next_);
+    next_.reset();
+    keep_if_key();
+    if (state_.step == wanted) lighting_(time_of(wanted));  // shown_at() may have left another surface
+  }
   while (state_.step < wanted) {
-    light_up(state_.step + 1);
-    advance(*surface_, search_.find(*surface_, lit_by_), options_, state_,
-            [this](const HighlightTrack& track) { return lit_share(track); });
+    step_on(state_);
     keep_if_key();
   }
 }
 
+const TrackState& HighlightTracker::shown_at(double time_s) {
+  advance_to(time_s);
+  const double share = (time_s - time_of(state_.step)) / options_.step_s;
+  if (share <= same_share) return state_;
+  if (!next_) {
+    TrackState next = state_;
+    step_on(next);
+    next_ = std::move(next);
+  }
+  lighting_(time_s);  // makes the surface that of this time
+  shown_ = tracks_between(*surface_, state_, *next_, share);
+  return shown_;
+}
+
+void HighlightTracker::step_on(TrackState& state) {
+  light_up(state.step + 1);
+  advance(
+      *surface_, search_.find(*surface_, lit_by_), options_, state,
+      [this](const HighlightTrack& track) { return lit_share(track); }, &lit_by_);
+}
+
 void HighlightTracker::set_places(const std::vector<NearestPlace>& places) {
   places_ = places;
+  if (places != state_.places) next_.reset();
   take_places(places_, surface_->diagonal_m(), state_);
 }
 
@@ -115,6 +145,7 @@ void HighlightTracker::restore(const TrackState& state) {
 
 void HighlightTracker::go_back_to(const TrackState& state) {
   state_ = state;
+  next_.reset();
   light_up(state_.step);  // a surface that it deforms must not stay as it was later
   take_places(places_, surface_->diagonal_m(), state_);
 }

@@ -22,8 +22,8 @@ using LightingAt = std::function<Lighting(double time_s)>;
 enum class KeyStates { kept, none };
 
 /// The highlights of a surface through time, in fixed steps from a start: what is shown at a time depends on
-/// the start and on the lighting only, not on the frames that were asked for. Key states are kept, so that
-/// going back costs at most their distance.
+/// the start and on the lighting only, not on the frames that were asked for. Frames need not be steps:
+/// shown_at() interpolates. Key states are kept, so that going back costs at most their distance.
 class HighlightTracker {
  public:
   /// The surface must outlive the tracks. Starts at time 0. Throws Error(bad_input) for options out of range.
@@ -35,6 +35,10 @@ class HighlightTracker {
   /// Goes to the last step that is not after this time, forward or back. Throws Error(bad_input) for a time
   /// before the start or beyond 1e8 s.
   void advance_to(double time_s);
+  /// Goes there as advance_to() does, and returns what is shown at exactly this time: between its last step
+  /// and the next one, for which the lighting is asked too. The surface is that of this time. Valid until the
+  /// next call.
+  const TrackState& shown_at(double time_s);
   /// What rules for the nearest highlight go by (nearest_places()). Shares of places that are new are there
   /// at once, and the others stay as they are: steps that were taken count for them.
   void set_places(const std::vector<NearestPlace>& places);
@@ -44,7 +48,7 @@ class HighlightTracker {
   void restore(const TrackState& state);
 
   double time_s() const;
-  const TrackState& state() const { return state_; }
+  const TrackState& state() const { return state_; }      ///< of the last step
   std::size_t key_count() const { return keys_.size(); }  ///< states that are kept
   const std::vector<HighlightTrack>& tracks() const { return state_.tracks; }
   const TrackOptions& options() const { return options_; }
@@ -54,6 +58,7 @@ class HighlightTracker {
   /// Makes lights, surface and shadows those of a step.
   void light_up(std::int64_t step);
   double lit_share(const HighlightTrack& track) const;
+  void step_on(TrackState& state);
   void go_back_to(const TrackState& state);
   void keep_if_key();
 
@@ -65,6 +70,8 @@ class HighlightTracker {
   std::optional<LightShadow> shadow_;  // of the surface as it was then; none: not asked for
   double start_s_ = 0.0;
   TrackState state_;
+  std::optional<TrackState> next_;  // the step after, where it is known
+  TrackState shown_;                // of shown_at(), where that is between steps
   std::vector<NearestPlace> places_;
   KeyStates key_states_ = KeyStates::kept;
   std::int64_t key_spacing_ = 1;  // steps

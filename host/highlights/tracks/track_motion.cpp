@@ -70,7 +70,10 @@ void follow_point(const HighlightSurface& surface, const TrackOptions& options, 
   Projector& shown = track.projector;
   const HighlightPoint& point = track.point;
   const glm::dvec3 way_m = point.position_m - shown.centre_m;
-  const double limit_m = options.limits.move_per_s * options.step_s * surface.diagonal_m();
+  const TrackLimits& limits = options.limits;
+  const double limit_m =
+      std::max(limits.move_per_s * options.step_s, limits.move_per_rad * track.steady_turn_rad) *
+      surface.diagonal_m();
   const double distance_m = glm::length(way_m);
   if (distance_m <= limit_m) {
     shown.centre_m = point.position_m;
@@ -79,8 +82,10 @@ void follow_point(const HighlightSurface& surface, const TrackOptions& options, 
     shown.centre_m += way_m * (limit_m / distance_m);
     track.seed_face = nearest_face(surface, track.seed_face, shown.centre_m);
   }
-  turn_toward(point, options.limits.turn_radps * options.step_s, shown);
-  const double limit = options.limits.scale_per_s * options.step_s;
+  turn_toward(point,
+              std::max(limits.turn_radps * options.step_s, limits.turn_per_rad * track.steady_turn_rad),
+              shown);
+  const double limit = limits.scale_per_s * options.step_s;
   shown.width_m =
       scaled_toward(shown.width_m, width_m(curvature_along(point, shown.right), options.size), limit);
   shown.height_m =

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/parameter_check.h"
+#include "host/highlights/search/surface_place.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "host/highlights/tracks/track_motion.h"
 
@@ -38,6 +39,19 @@ void go_along(const HighlightSurface& surface, HighlightTrack& track) {
   const glm::dvec3 place_m = place_on(surface, track.point.face, track.point.weights);
   track.projector.centre_m += place_m - track.point.position_m;
   track.point.position_m = place_m;
+}
+
+/// How far H has turned over the surface in this step, where the highlight was in the last one.
+void measure_turn(const HighlightSurface& surface, const Lighting* lighting, HighlightTrack& track) {
+  double turn_rad = 0.0;
+  const auto light = static_cast<std::size_t>(track.point.light);
+  if (lighting != nullptr && light < lighting->lights.size() && track.state == HighlightTrack::State::alive) {
+    const glm::dvec3 normal = normal_at(surface, {track.point.face, track.point.weights});
+    const glm::dvec3 half = half_vector(lighting->eye, lighting->lights[light], track.point.position_m);
+    turn_rad = std::atan2(glm::length(glm::cross(normal, half)), glm::dot(normal, half));
+  }
+  track.steady_turn_rad = std::min(turn_rad, track.turn_rad);
+  track.turn_rad = turn_rad;
 }
 
 /// Places in the order of their x, so that those near another are found without looking at all: noisy scans
@@ -171,6 +185,8 @@ void require_valid(const TrackOptions& options) {
   require_within("highlights.scale_per_s", options.limits.scale_per_s, 1e-3, 1e3);
   require_within("highlights.turn_radps", options.limits.turn_radps, 1e-3, 1e3);
   require_within("highlights.fade_per_s", options.limits.fade_per_s, 1e-3, 1e3);
+  require_within("highlights.move_per_rad", options.limits.move_per_rad, 0.0, 1e3);
+  require_within("highlights.turn_per_rad", options.limits.turn_per_rad, 0.0, 1e3);
   require_within("highlights.jump_share", options.jump_share, 0.0, 1.0);
   require_within("highlights.lag_share", options.lag_share, 0.0, 1.0);
   require_within("highlights.key_steps", options.key_steps, 1, 1e6);
@@ -189,8 +205,12 @@ TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOpt
 }
 
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-             const TrackOptions& options, TrackState& state, const LitShare& lit_share) {
-  for (HighlightTrack& track : state.tracks) go_along(surface, track);
+             const TrackOptions& options, TrackState& state, const LitShare& lit_share,
+             const Lighting* lighting) {
+  for (HighlightTrack& track : state.tracks) {
+    go_along(surface, track);
+    measure_turn(surface, lighting, track);
+  }
   match(surface, points, options, state);
   const double fade = options.limits.fade_per_s * options.step_s;
   for (HighlightTrack& track : state.tracks) {

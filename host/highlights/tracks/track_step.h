@@ -20,8 +20,9 @@ TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOpt
 /// orientation that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die
 /// in pairs and are never taken for one another. What is left of tracks fades out where it is, what is left
 /// of points fades in. Of several in one region the oldest is shown; the others blend in as they part. What
-/// comes into a shadow fades.
+/// comes into a shadow fades. With the lighting that the points are of, limits grow where H turns steadily.
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-             const TrackOptions& options, TrackState& state, const LitShare& lit_share = {});
+             const TrackOptions& options, TrackState& state, const LitShare& lit_share = {},
+             const Lighting* lighting = nullptr);
 
 }  // namespace offing::highlights
