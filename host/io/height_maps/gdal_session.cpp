@@ -30,10 +30,10 @@ bool has_features(std::string_view driver) {
   return driver == "GPKG" || driver == "GeoJSON";
 }
 
-/// The drivers of features, and who uses them now. The list lasts until the process ends, as GDAL's own do.
+/// The drivers of features, and who uses them now.
 struct {
   std::mutex mutex;
-  std::vector<GDALDriverH>& drivers = *new std::vector<GDALDriverH>;
+  std::vector<GDALDriverH> drivers;
   int users = 0;
 } features;
 
