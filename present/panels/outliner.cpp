@@ -213,7 +213,9 @@ void note_edit(Edit edit, scene::ParameterGroup group, ViewState& state, PanelEd
 
 /// The values of an object but for its name, which the list changes.
 void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& edits) {
-  const std::string title = fmt::format("{}###properties", label_of(state.scene, object));
+  const bool is_body = object.kind == ObjectKind::body;
+  const std::string title =
+      fmt::format("{}###{}", label_of(state.scene, object), is_body ? "body" : "properties");
   if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
   ImGui::PushID("properties");
   for (const scene::ParameterGroup group : groups_of(object.kind)) {
@@ -227,7 +229,43 @@ void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& ed
   ImGui::PopID();
 }
 
+/// Groups whose values are of other elements than the object's own, but belong to it.
+std::vector<scene::ParameterGroup> groups_beside(ObjectKind kind) {
+  using enum scene::ParameterGroup;
+  switch (kind) {
+    case ObjectKind::camera:
+      return {bookmark, render};
+    case ObjectKind::sky:
+      return {render};
+    case ObjectKind::sea:
+      return {grid, swell, raindrop};
+    case ObjectKind::wake:
+      return {wake_hull};
+    case ObjectKind::terrain:
+      return {height_map, walk};
+    case ObjectKind::cloud_layer:
+      return {clouds};
+    case ObjectKind::cloud:
+      return {clouds, cloud_ball, cloud_level, particle_edit};
+    case ObjectKind::mesh:
+      return {highlight};
+    case ObjectKind::body:
+      return {mooring};
+    case ObjectKind::bookmark:
+    case ObjectKind::light:
+      return {};
+  }
+  return {};
+}
+
 }  // namespace
+
+bool is_shown_with_selection(const ViewState& state, scene::ParameterGroup group) {
+  const std::optional<SceneObject> selected = selected_object(state);
+  if (!selected) return true;
+  const std::vector<scene::ParameterGroup> groups = groups_beside(selected->kind);
+  return std::ranges::find(groups, group) != groups.end();
+}
 
 void draw_outliner(ViewState& state, PanelEdits& edits) {
   if (ImGui::CollapsingHeader("Objects", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -235,8 +273,12 @@ void draw_outliner(ViewState& state, PanelEdits& edits) {
     draw_list(state, edits);
   }
   // The click may have selected another one.
-  if (const std::optional<SceneObject> selected = selected_object(state))
-    draw_properties(state, *selected, edits);
+  const std::optional<SceneObject> selected = selected_object(state);
+  if (!selected) return;
+  draw_properties(state, *selected, edits);
+  if (selected->kind != ObjectKind::mesh) return;
+  if (const std::optional<std::size_t> body = body_of_mesh(state.scene, selected->index))
+    draw_properties(state, {ObjectKind::body, *body}, edits);
 }
 
 }  // namespace offing::present

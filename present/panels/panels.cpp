@@ -261,7 +261,8 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   draw_outliner(state, edits);
   draw_view(state, facts);
   for (const GroupPanel& panel : group_panels()) {
-    if (is_in(state.scene, panel.group)) draw_group(panel, state, edits);
+    if (is_in(state.scene, panel.group) && is_shown_with_selection(state, panel.group))
+      draw_group(panel, state, edits);
   }
   if (facts.scenes != nullptr) edits.wanted_scene = draw_scene_list(*facts.scenes, facts.open_scene);
   draw_file(state, edits);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +19,7 @@
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/body_hydrodynamics.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 
 namespace offing::scene {
@@ -176,8 +179,37 @@ world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size
   return settings;
 }
 
+/// Meshes that move with bodies: their hulls, in the order of the bodies, and what is aboard.
+std::vector<std::size_t> moved_meshes(const Scene& scene) {
+  std::vector<std::size_t> meshes;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) meshes.push_back(mesh_of_body(scene, body));
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    if (!scene.meshes[mesh].aboard.empty()) meshes.push_back(mesh);
+  }
+  return meshes;
+}
+
+/// Whether a mesh that both scenes have has another form or stands elsewhere.
+bool is_other_mesh(const Scene& before, const Scene& after, std::size_t mesh) {
+  const ElementIndex element{mesh, 0};
+  const auto track_of = [&](const Scene& scene, const Parameter& row) {
+    const auto track = scene.tracks.find({row.key, element});
+    return track == scene.tracks.end() ? std::nullopt : std::optional(track->second);
+  };
+  return std::ranges::any_of(parameter_table(), [&](const Parameter& row) {
+    if (row.group != ParameterGroup::mesh || !share_a_bit(row.affects, Affects::meshes)) return false;
+    return !is_same_value(row, struct_at(&before, *row.section, element),
+                          struct_at(&after, *row.section, element)) ||
+           track_of(before, row) != track_of(after, row);
+  });
+}
+
+/// Meshes that move with no body do not count.
 bool are_other_bodies(const Scene& before, const Scene& after) {
-  return differ_in(Affects::bodies | Affects::meshes, before, after);
+  if (differ_in(Affects::bodies, before, after)) return true;
+  const std::vector<std::size_t> meshes = moved_meshes(before);
+  return meshes != moved_meshes(after) ||
+         std::ranges::any_of(meshes, [&](std::size_t mesh) { return is_other_mesh(before, after, mesh); });
 }
 
 }  // namespace

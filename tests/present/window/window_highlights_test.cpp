@@ -150,9 +150,9 @@ TEST_F(WindowHighlightsTest, ClicksPick) {
 TEST_F(WindowHighlightsTest, DragsMoveOneHighlight) {
   open_egg();
   const std::uint64_t id = id_of(0), other = id_of(1);
-  const highlights::Projector others = shown(other).projector;
   const double yaw_rad = state().camera.camera().yaw_rad;
   pick(id);
+  const highlights::Projector others = shown(other).projector;
   const glm::dvec2 from_px = place_px(id), to_px = from_px + glm::dvec2(-25.0, 30.0);
   pull(from_px, to_px);
   EXPECT_LE(glm::distance(place_px(id), to_px), 3.0);

@@ -16,8 +16,10 @@
 
 #include "host/bodies/body_pose.h"
 #include "host/scene/file/scene_file.h"
+#include "host/scene/schema/parameter_table.h"
 #include "present/editing/objects/object_editor.h"
 #include "present/editing/objects/selection.h"
+#include "present/panels/parameter_widget.h"
 #include "tests/present/window/window_test.h"
 
 namespace offing::test {
@@ -124,6 +126,18 @@ class WindowObjectsTest : public WindowTest {
     return find_item(list, present::label_of(state().scene, object), ImHashStr(item.c_str(), 0, of_row),
                      item == "##object" ? 60 : end_px - 8);
   }
+  /// Whether the mouse finds it in the panel.
+  bool has_item(const char* label) {
+    const ImGuiWindow& panel = *main_panel();
+    const int x = static_cast<int>(panel.Pos.x) + 60;
+    for (int y = static_cast<int>(panel.InnerRect.Min.y); y < static_cast<int>(panel.InnerRect.Max.y);
+         y += 12) {
+      hands_->move_to(x, y);
+      turn();
+      if (ImGui::GetCurrentContext()->HoveredId == main_panel()->GetID(label)) return true;
+    }
+    return false;
+  }
   void choose_new(const char* label) {
     click(find(main_panel(), "add##objects", 20));
     click(find(open_menu(), label, 20));
@@ -173,6 +187,23 @@ TEST_F(WindowObjectsTest, TheListSelectsCopiesAndDeletes) {
   EXPECT_EQ(edited_text(), before);
   undo();
   EXPECT_EQ(message(), "there is nothing to undo");
+}
+
+// Fails if the values below the list are not those of what is selected, or the others come with them.
+TEST_F(WindowObjectsTest, ValuesAreOfTheSelection) {
+  open(options_of(objects_text));
+  click(row({ObjectKind::mesh, 1}));
+  const unsigned block = main_panel()->GetID("properties");
+  const std::string size = present::parameter_label(*scene::find_parameter("mesh.size_m"));
+  const Spot slider = find_item(main_panel(), size, ImHashStr(size.c_str(), 0, block), 70);
+  drag(slider, {slider.x + 30, slider.y});
+  EXPECT_GT(state().scene.meshes[1].size_m, 0.3);
+  EXPECT_EQ(state().scene.meshes[0].size_m, 0.5);
+  find(main_panel(), "Highlights");
+  EXPECT_FALSE(has_item("Air"));
+  press("Escape");
+  EXPECT_FALSE(selected());
+  EXPECT_TRUE(has_item("Air"));
 }
 
 // Fails if a double click does not take a new name, or what is typed is also taken for keys.
@@ -350,6 +381,65 @@ TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
   const double wake_m = largest_difference(behind_m, heights_m(-0.7, -0.1));
   EXPECT_GT(wake_m, 0.005 * length_m) << "waves behind it";
   EXPECT_LT(largest_difference(before_m, heights_m(1.2, 0.1)), 0.1 * wake_m) << "and none before it";
+}
+
+// Fails if a new mesh, or one that is moved, sends a boat back to its start.
+TEST_F(WindowObjectsTest, OtherMeshesLeaveBoatsAlone) {
+  open(options_of(boat_text));
+  choose_new("boat");
+  ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
+  press("space");
+  const double start_s = state().clock.time_s(), end_s = glfwGetTime() + 60.0;
+  while (state().clock.time_s() < start_s + 1.0 && glfwGetTime() < end_s) turn();
+  press("space");
+  const auto x_m = [&] { return viewer_->sea().bodies()->pose(0, state().clock.time_s()).mass_centre_m.x; };
+  const double there_m = x_m();
+  ASSERT_GT(std::abs(there_m - state().scene.bodies[0].x_m), 0.5) << "it has sailed";
+  click(find(main_panel(), "add##objects", 20));
+  find(open_menu(), "mesh", 20);  // which opens the list of shapes
+  turn(10);
+  click(find(open_menu(), "sphere", 20));
+  ASSERT_EQ(state().scene.meshes.size(), 2u) << message();
+  press_with_control("d");
+  ASSERT_EQ(state().scene.meshes.size(), 3u) << message();
+  press("Delete");
+  ASSERT_EQ(state().scene.meshes.size(), 2u) << message();
+  EXPECT_EQ(x_m(), there_m);
+  undo();
+  EXPECT_EQ(x_m(), there_m);
+}
+
+// Fails if a boat does not go on from where the hand lets go, jumps back to where it once began, or moves
+// before that; if its height or its trim is the hand's.
+TEST_F(WindowObjectsTest, BoatsAreDraggedOverTheWater) {
+  open(options_of(boat_text));
+  choose_new("boat");
+  ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
+  const std::string before = edited_text();
+  press("space");
+  const double start_s = state().clock.time_s();
+  const double end_s = glfwGetTime() + 60.0;
+  while (state().clock.time_s() < start_s + 1.0 && glfwGetTime() < end_s) turn();
+  press("space");
+  press("Tab");  // the panel would be in the way
+  glfwSetWindowSize(viewer_->window(), 400, 300);
+  turn(4);
+  EXPECT_THROW(handle_px(ObjectHandle::y), std::runtime_error);
+  const auto pose = [&] { return viewer_->sea().bodies()->pose(0, state().clock.time_s()); };
+  const glm::dvec3 there_m = pose().mass_centre_m;
+  ASSERT_GT(std::abs(there_m.x - state().scene.bodies[0].x_m), 0.5) << "it has sailed";
+  const glm::dvec2 arrow_px = handle_px(ObjectHandle::z);
+  const auto place = present::held_place(state(), viewer_->sea(), screen());
+  const glm::dvec2 middle_px = *present::pixel_of(screen(), place->sphere.centre_m);
+  pull(arrow_px, arrow_px + 0.5 * (arrow_px - middle_px));
+  const scene::BodyScene& body = state().scene.bodies[0];
+  EXPECT_NEAR(body.x_m, there_m.x, 1e-6) << "along the arrow alone";
+  EXPECT_GT(std::abs(body.z_m - there_m.z), 0.5);
+  turn(3);
+  EXPECT_NEAR(pose().mass_centre_m.x, body.x_m, 0.5);
+  EXPECT_NEAR(pose().mass_centre_m.z, body.z_m, 0.5);
+  undo();
+  EXPECT_EQ(edited_text(), before) << "one step";
 }
 
 }  // namespace
