@@ -1,5 +1,6 @@
 #include "host/terrain/shading/open_sky.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,7 +28,9 @@ std::string identity_of_shares(const ocl::Device& device, const HeightField& fie
                                const ocl::ProgramRecipe& program, int stride) {
   const auto heights_m = field.heights_m().map();
   const TerrainField layout = field.device_field(CastMethod::parity);
-  return ocl::identity_of(device.info(), std::span(&program, 1)) +
+  const std::array<ocl::ProgramRecipe, 3> programs{
+      {program, {"terrain/pyramid_base.cl", {}}, {"terrain/pyramid_reduce.cl", {}}}};
+  return ocl::identity_of(device.info(), programs) +
          ocl::joined_identity({ocl::identity_of_bytes(std::as_bytes(heights_m.span())),
                                ocl::identity_of_bytes(std::as_bytes(std::span(&layout, 1))),
                                std::to_string(stride)});
