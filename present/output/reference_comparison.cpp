@@ -64,6 +64,7 @@ clouds::CloudLook look_of(const world::CloudSkyParameters& sky) {
     clouds::CloudLook look = cloud.look;
     look.extinction_per_m = first.extinction_per_m;
     look.albedo = first.albedo;  // paths take that of the particles
+    look.billboards = first.billboards;
     if (look == first) continue;
     throw Error(ErrorKind::bad_input,
                 "--compare-reference: expected clouds of one phase function, found several",

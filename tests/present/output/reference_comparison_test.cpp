@@ -362,7 +362,7 @@ TEST_P(ShippedCloudsTest, HaveTheLightOfPaths) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedCloudsTest,
-                         testing::Values("stratus", "cirrus", "shapes", "flight", "world"),
+                         testing::Values("stratus", "cirrus", "shapes", "flight", "world", "sky", "dusk"),
                          [](const auto& of) { return std::string(of.param); });
 
 }  // namespace
