@@ -34,7 +34,7 @@ constexpr std::size_t view_rows = SKY_VIEW_ROWS;
 constexpr std::size_t view_layers = SKY_VIEW_LAYERS;
 constexpr std::size_t rings = SKY_ILLUMINANCE_RINGS;
 
-// 30 kinds of air.
+// Room for about 30 atmospheres.
 constexpr ocl::CacheKind air_tables{"air", "table of the air", 10'000'000};
 
 Rgb rgb_of(const Texel& texel) {

@@ -41,10 +41,13 @@ struct Heights {
 constexpr std::size_t least_kept_posts = 1 << 18, most_kept_posts = 1 << 24;
 constexpr ocl::CacheKind made_maps{"heights", "generated terrain", 256'000'000};
 
-/// All that shapes generated terrain but its code.
+// Counts changes to what the same parameters give, beside what the rows that are tried show.
+constexpr int made_version = 1;
+
+/// All that shapes generated terrain.
 std::string identity_of(const terrain::FractalParameters& ground) {
-  return fmt::format("{} {} {} {} {} {} {} {} {}", ground.posts, ground.side_m, ground.relief_m,
-                     ground.mean_m, ground.longest_m, ground.roughness, ground.erosion,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {}", made_version, ground.posts, ground.side_m,
+                     ground.relief_m, ground.mean_m, ground.longest_m, ground.roughness, ground.erosion,
                      ground.island_radius_m.value_or(0.0), ground.seed);
 }
 
@@ -95,6 +98,7 @@ Heights made_heights(const TerrainScene& terrain) {
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
     estimate.step_done();
   }
+  if (!cache.is_on()) return {.map = std::make_shared<const HeightMap>(std::move(map))};
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(map.heights_m.data());
   cache.store(identity_of(parameters), {bytes, bytes + map.heights_m.size() * sizeof(float)});
   return {.map = std::make_shared<const HeightMap>(std::move(map))};

@@ -73,7 +73,8 @@ TEST_F(CloudFlightTest, NothingPops) {
 }
 
 // Fails if clouds pop where billboards take over from marching, or where others are marched than before: a
-// flight past a layer of 200, of which the 16 largest are marched. Measured 0.0007, gate 0.002.
+// flight past a layer of 200, of which the 16 largest are marched: 17 different sets of them. Measured 0.0008,
+// gate 0.002.
 TEST_F(CloudFlightTest, NothingPopsPastALayer) {
   const scene::Scene scene = scene::parse_scene(
       "version = 1\n[sun]\nazimuth_deg = 230\nelevation_deg = 40\n[wind]\nspeed_mps = 7\n[ocean]\nsize = 32\n"
