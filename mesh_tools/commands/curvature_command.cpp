@@ -141,7 +141,7 @@ std::vector<scene::Row<CurvatureSettings>> curvature_rows() {
             .high = 100.0,
             .help = "radius of the ball around each vertex that is used, in mean edge lengths",
             .example = "3",
-            .absent = "3.5 for fit, 3 for tensor, tensor-exact and paper"}},
+            .absent = "3.5 for fit, 6 to 14 if noisy; 3 for tensor, tensor-exact, paper"}},
           {scene::path(curvature, &Options::radius_m),
            {.key = "radius_m",
             .flag = "--radius-m,--radius",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -69,8 +70,9 @@ void printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                           EdgeAngles angles, int threads, const BendSink& sink);
 void diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int rounds, int threads,
                            const BendSink& sink);
-void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
-                  const BendSink& sink);
+/// Without a radius, it is 3.5 edges, or wider where the mesh is noisy.
+void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, std::optional<double> radius,
+                  int threads, const BendSink& sink);
 void jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads, const BendSink& sink);
 
 }  // namespace offing::mesh_tools

@@ -20,9 +20,7 @@ void require_option(std::string_view name, double value, double least, double mo
 
 double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
   if (!options.radius_m) {
-    // A fit's weights fall toward the rim: it takes a wider ball to hold as much.
-    const double radius_edges =
-        options.radius_edges.value_or(options.method == CurvatureMethod::fit ? 3.5 : 3.0);
+    const double radius_edges = options.radius_edges.value_or(3.0);
     require_option("radius in edges", radius_edges, 0.01, 100.0);
     return radius_edges * mesh.mean_edge;
   }
@@ -30,11 +28,17 @@ double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
   return *options.radius_m / mesh.scale_m;
 }
 
+/// None where the fit chooses.
+std::optional<double> fit_radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
+  if (!options.radius_m && !options.radius_edges) return {};
+  return radius_of(mesh, options);
+}
+
 void put_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, const CurvatureOptions& options,
                const BendSink& sink) {
   switch (options.method) {
     case CurvatureMethod::fit:
-      return fitted_bends(mesh, measures, radius_of(mesh, options), options.threads, sink);
+      return fitted_bends(mesh, measures, fit_radius_of(mesh, options), options.threads, sink);
     case CurvatureMethod::tensor:
       return ball_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads, sink);
     case CurvatureMethod::tensor_exact:

@@ -27,7 +27,8 @@ enum class EdgeAngles { with_sign, unsigned_as_printed };
 
 struct CurvatureOptions {
   CurvatureMethod method = CurvatureMethod::fit;
-  /// Of the ball, in mean edge lengths of the mesh, 0.01 ... 100; by default 3.5 for fit, else 3.
+  /// Of the ball, in mean edge lengths of the mesh, 0.01 ... 100; by default 3.5 for fit (6 to 14 for a noisy
+  /// mesh), else 3.
   std::optional<double> radius_edges{};
   std::optional<double> radius_m{};           ///< of the ball; overrides radius_edges
   int rounds = 3;                             ///< of averaging, of the method diffused, 0 ... 1000

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -17,14 +19,26 @@ struct Quadric {
   double offset = 0.0, tilt_u = 0.0, tilt_w = 0.0, uu = 0.0, uw = 0.0, ww = 0.0;
 };
 
-constexpr std::size_t unknowns = 6;
-constexpr std::size_t least_points = unknowns + 1;
+/// Of a quadric, and with all terms up to the fourth power.
+constexpr std::size_t quadric_unknowns = 6, quartic_unknowns = 15;
+
+template <std::size_t unknowns>
+std::array<double, unknowns> terms_at(double u, double w) {
+  if constexpr (unknowns == quadric_unknowns) {
+    return {1.0, u, w, 0.5 * u * u, u * w, 0.5 * w * w};
+  } else {
+    const double uu = u * u, uw = u * w, ww = w * w;
+    return {1.0,    u,      w,       0.5 * uu, uw,      0.5 * ww, uu * u, uu * w,
+            ww * u, ww * w, uu * uu, uu * uw,  uu * ww, uw * ww,  ww * ww};
+  }
+}
 
 /// Sums of weighted least squares.
-class QuadricFit {
+template <std::size_t unknowns>
+class HeightFit {
  public:
   void add(double u, double w, double height, double weight) {
-    const std::array<double, unknowns> terms{1.0, u, w, 0.5 * u * u, u * w, 0.5 * w * w};
+    const std::array<double, unknowns> terms = terms_at<unknowns>(u, w);
     std::size_t entry = 0;
     for (std::size_t i = 0; i < unknowns; ++i) {
       const double weighted = weight * terms[i];
@@ -33,8 +47,9 @@ class QuadricFit {
     }
   }
 
-  /// By Cholesky's factors. False where points leave a coefficient open, such as all on a line.
-  bool solve(Quadric& quadric) {
+  /// By Cholesky's factors, the quadric first. None where points leave a coefficient open, such as all on a
+  /// line.
+  std::optional<std::array<double, unknowns>> solve() {
     // Below this part of its own sum a pivot is rounding.
     constexpr double least_pivot = 1e-10;
     const auto at = [&](std::size_t i, std::size_t j) -> double& { return matrix_[i * (i + 1) / 2 + j]; };
@@ -47,7 +62,7 @@ class QuadricFit {
         } else if (sum > least_pivot * at(i, i)) {
           at(i, i) = std::sqrt(sum);
         } else {
-          return false;
+          return {};
         }
       }
     }
@@ -59,8 +74,7 @@ class QuadricFit {
       for (std::size_t k = i + 1; k < unknowns; ++k) right_[i] -= at(k, i) * right_[k];
       right_[i] /= at(i, i);
     }
-    quadric = {right_[0], right_[1], right_[2], right_[3], right_[4], right_[5]};
-    return true;
+    return right_;
   }
 
  private:
@@ -89,50 +103,190 @@ VertexBend bend_of(const Quadric& quadric, const TangentFrame& frame, const glm:
   return bend;
 }
 
-/// Fits a quadric to the vertices that a region holds within a radius. None where there are too few, or where
-/// the surface is none over its tangent plane.
-std::optional<VertexBend> fit(const UnitMesh& mesh, const SurfaceMeasures& measures, const Region& region,
-                              double radius) {
+/// What fits go by: normals of vertices, and which vertices do not count, as a face there is folded over.
+struct Support {
+  std::vector<glm::dvec3> normals;
+  std::vector<std::uint8_t> is_folded;
+};
+
+/// A face is folded over where it looks away from the normals of its corners. Scans have such faces. These
+/// are left out of their corners' normals too.
+Support support_of(const UnitMesh& mesh, const SurfaceMeasures& measures) {
+  Support support{measures.normals, std::vector<std::uint8_t>(mesh.vertex_count(), 0)};
+  const auto is_folded = [&](std::uint32_t face) {
+    const auto& [a, b, c] = mesh.neighbours.faces[face];
+    const glm::dvec3 sum = measures.normals[a] + measures.normals[b] + measures.normals[c];
+    return measures.face_areas[face] > 0.0 && glm::dot(measures.face_normals[face], sum) < 0.0;
+  };
+  for (std::uint32_t face = 0; face < mesh.neighbours.faces.size(); ++face) {
+    if (!is_folded(face)) continue;
+    for (const std::uint32_t corner : mesh.neighbours.faces[face]) support.is_folded[corner] = 1;
+  }
+  for (std::size_t vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
+    if (support.is_folded[vertex] == 0) continue;
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t face : mesh.neighbours.vertex_faces.row(vertex)) {
+      if (!is_folded(face)) sum += measures.face_areas[face] * measures.face_normals[face];
+    }
+    if (glm::length(sum) > 0.0) support.normals[vertex] = glm::normalize(sum);
+  }
+  return support;
+}
+
+/// A vertex as a fit takes it: over lengths of the radius.
+struct FitPoint {
+  double u, w, height, weight;
+};
+
+/// The vertices of a region that count, about its first one.
+void take_points(const UnitMesh& mesh, const Support& support, const Region& region,
+                 const TangentFrame& frame, double radius, std::vector<FitPoint>& points) {
   const std::uint32_t vertex = region.vertices().front();
-  const glm::dvec3 &middle = mesh.positions[vertex], &normal = measures.normals[vertex];
-  if (normal == glm::dvec3(0.0) || region.vertices().size() < least_points) return {};
-  const TangentFrame frame(normal);
-  QuadricFit sums;
+  const glm::dvec3 &middle = mesh.positions[vertex], &normal = support.normals[vertex];
+  points.clear();
   for (const std::uint32_t other : region.vertices()) {
+    if (support.is_folded[other] != 0) continue;
     const glm::dvec3 off = (mesh.positions[other] - middle) / radius;
     const double u = glm::dot(off, frame.u), w = glm::dot(off, frame.w), height = glm::dot(off, normal);
     const double flat = u * u + w * w, chord = flat + height * height;
     // Falls smoothly to the rim, and to 0 for what faces away.
-    const double facing = std::max(0.0, glm::dot(normal, measures.normals[other]));
+    const double facing = std::max(0.0, glm::dot(normal, support.normals[other]));
     const double weight = (1.0 - chord) * (1.0 - chord) * facing;
     // A circle through the vertex has the height k chord^2 / 2 whatever the chord, but not k flat^2 / 2: over
     // chords, spheres are quadrics, and the bias of a fit of finite size goes.
     const double stretch = flat > 0.0 ? std::sqrt(chord / flat) : 1.0;
-    sums.add(stretch * u, stretch * w, height, weight);
+    points.push_back({stretch * u, stretch * w, height, weight});
   }
-  Quadric quadric;
-  if (!sums.solve(quadric)) return {};
+}
+
+template <std::size_t unknowns>
+std::optional<std::array<double, unknowns>> solution(const std::vector<FitPoint>& points) {
+  if (points.size() <= unknowns) return {};
+  HeightFit<unknowns> sums;
+  for (const FitPoint& point : points) sums.add(point.u, point.w, point.height, point.weight);
+  return sums.solve();
+}
+
+/// Fits a quadric, or with terms up to the fourth power, to the vertices that a region holds within a radius.
+/// None where there are too few, or where the surface is none over its tangent plane.
+template <std::size_t unknowns>
+std::optional<VertexBend> fit(const UnitMesh& mesh, const Support& support, const Region& region,
+                              double radius, std::vector<FitPoint>& points) {
+  const glm::dvec3& normal = support.normals[region.vertices().front()];
+  if (normal == glm::dvec3(0.0)) return {};
+  const TangentFrame frame(normal);
+  take_points(mesh, support, region, frame, radius, points);
+  const auto found = solution<unknowns>(points);
+  if (!found) return {};
+  const Quadric quadric{(*found)[0], (*found)[1], (*found)[2], (*found)[3], (*found)[4], (*found)[5]};
   constexpr double steepest = 1.7;  // 60 degrees
   if (!(quadric.tilt_u * quadric.tilt_u + quadric.tilt_w * quadric.tilt_w < steepest * steepest)) return {};
   return bend_of(quadric, frame, normal, radius);
 }
 
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Medians of some hundred vertices, over a ball's radius; 0 for small meshes.
+struct Roughness {
+  double noise = 0.0;  ///< standard deviation of vertices off the surface: what a quartic fit leaves
+  double bend = 0.0;   ///< curvature of the quartic
+};
+
+Roughness roughness_of(const UnitMesh& mesh, const Support& support, double radius) {
+  constexpr std::size_t samples = 256, least_samples = 32;
+  std::vector<double> deviations, bends;
+  std::vector<FitPoint> points;
+  Region region(mesh);
+  const std::size_t stride = std::max<std::size_t>(1, mesh.vertex_count() / samples);
+  for (std::size_t vertex = 0; vertex < mesh.vertex_count(); vertex += stride) {
+    const glm::dvec3& normal = support.normals[vertex];
+    if (normal == glm::dvec3(0.0) || mesh.on_border[vertex] != 0) continue;
+    region.grow_vertices(static_cast<std::uint32_t>(vertex), radius);
+    take_points(mesh, support, region, TangentFrame(normal), radius, points);
+    const auto found = solution<quartic_unknowns>(points);
+    if (!found) continue;
+    double squares = 0.0, weights = 0.0;
+    for (const FitPoint& point : points) {
+      const auto terms = terms_at<quartic_unknowns>(point.u, point.w);
+      double rest = point.height;
+      for (std::size_t i = 0; i < quartic_unknowns; ++i) rest -= (*found)[i] * terms[i];
+      squares += point.weight * rest * rest;
+      weights += point.weight;
+    }
+    const double freedom = 1.0 - static_cast<double>(quartic_unknowns) / static_cast<double>(points.size());
+    if (!(weights > 0.0)) continue;
+    deviations.push_back(std::sqrt(squares / (weights * freedom)));
+    bends.push_back(std::max(std::abs((*found)[3]), std::abs((*found)[5])));
+  }
+  if (deviations.size() < least_samples) return {};
+  return {median_of(deviations), median_of(bends)};
+}
+
+/// The ball of a fit, and whether it has terms up to the fourth power.
+struct FitSize {
+  double radius;
+  bool is_quartic;
+};
+
+constexpr double usual_edges = 3.5;
+// Near a border, where half of a ball is empty, terms of higher powers are left open by noise.
+constexpr double noisy_border_edges = 9.0;
+
+/// The error that noise makes of curvatures falls with the cube of the radius. The bias grows with its
+/// square; terms up to the fourth power take most of it away. Both were measured: docs/meshes.md.
+FitSize size_for(const UnitMesh& mesh, const Support& support) {
+  constexpr double least_noise_edges = 0.004;  // of an edge: less is not worth a wider ball
+  constexpr double wide_edges = 11.0;          // for noise of 0.02 edges
+  constexpr double least_edges = 6.0, most_edges = 14.0;
+  constexpr double most_bend = 1.2;  // radians within a ball: else the surface is no height over its plane
+  const FitSize usual{usual_edges * mesh.mean_edge, false};
+  const Roughness rough = roughness_of(mesh, support, usual.radius);
+  const double noise_edges = usual_edges * rough.noise;
+  if (noise_edges < least_noise_edges) return usual;
+  const double wanted_edges = std::clamp(wide_edges * std::cbrt(noise_edges / 0.02), least_edges, most_edges);
+  const double edges = std::min(wanted_edges, most_bend * usual_edges / rough.bend);
+  return edges < least_edges ? usual : FitSize{edges * mesh.mean_edge, true};
+}
+
+/// Fits to the vertices around one within a radius.
+std::optional<VertexBend> bend_at(const UnitMesh& mesh, const Support& support, std::uint32_t vertex,
+                                  FitSize size, Region& region, std::vector<FitPoint>& points) {
+  region.grow_vertices(vertex, size.radius);
+  if (size.is_quartic) {
+    const bool has_border = std::ranges::any_of(
+        region.vertices(), [&](std::uint32_t other) { return mesh.on_border[other] != 0; });
+    std::optional<VertexBend> bend;
+    if (!has_border) bend = fit<quartic_unknowns>(mesh, support, region, size.radius, points);
+    if (bend) return bend;
+    size.radius = std::min(size.radius, noisy_border_edges * mesh.mean_edge);
+    region.grow_vertices(vertex, size.radius);
+  }
+  return fit<quadric_unknowns>(mesh, support, region, size.radius, points);
+}
+
 }  // namespace
 
 // Where edges are longer than most, the ball is widened until it holds enough vertices; where nothing can be
-// fitted, tensors answer.
-void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
-                  const BendSink& sink) {
+// fitted, tensors answer. Without a given radius, the ball is wider on noisy meshes.
+void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, std::optional<double> given_radius,
+                  int threads, const BendSink& sink) {
   constexpr int most_tries = 3;
+  const Support support = support_of(mesh, measures);
+  const FitSize size = given_radius ? FitSize{*given_radius, false} : size_for(mesh, support);
   std::vector<std::uint8_t> is_open(mesh.vertex_count(), 0);
   parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
+    std::vector<FitPoint> points;
     queue.drain([&](std::size_t vertex) {
       std::optional<VertexBend> bend;
-      double reach = radius;
+      double reach = size.radius;
       for (int i = 0; i < most_tries && !bend && measures.areas[vertex] > 0.0; ++i, reach *= 2.0) {
-        region.grow_vertices(static_cast<std::uint32_t>(vertex), reach);
-        bend = fit(mesh, measures, region, reach);
+        bend = bend_at(mesh, support, static_cast<std::uint32_t>(vertex), {reach, size.is_quartic}, region,
+                       points);
       }
       if (bend || !(measures.areas[vertex] > 0.0)) return sink.put(vertex, bend.value_or(VertexBend{}));
       is_open[vertex] = 1;

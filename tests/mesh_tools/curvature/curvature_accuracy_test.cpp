@@ -34,7 +34,7 @@ class CurvatureAccuracy : public testing::TestWithParam<Gate> {};
 
 // Each method on meshes with jittered vertices and random diagonals, one with noise, one with a border. Gates
 // are a tenth above what is measured: a weight or a sign that is wrong costs several times that. Measured
-// (recorded as ..._percent_deg, %/degrees): fit 0.32/0.20, 0.21/0.16, 1.87/0.70, 0.22/0.03; tensor 0.88/0.62,
+// (recorded as ..._percent_deg, %/degrees): fit 0.32/0.20, 0.21/0.16, 0.36/0.11, 0.22/0.03; tensor 0.88/0.62,
 // 1.12/1.12, 2.03/1.49, 0.91/0.20; tensor-exact 1.04/0.82, 1.03/1.10, 2.14/1.42, 1.81/0.28; diffused
 // 0.46/0.52, 0.93/1.24, 3.24/1.68, 0.78/0.23; jet 0.38/0.24, 1.07/0.38, 6.02/1.84, 0.51/0.10.
 TEST_P(CurvatureAccuracy, ComesNearTheSmoothSurface) {
@@ -52,7 +52,7 @@ TEST_P(CurvatureAccuracy, ComesNearTheSmoothSurface) {
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, CurvatureAccuracy,
-    testing::Values(Gate{CurvatureMethod::fit, {0.36, 0.24, 2.1, 0.25}, {0.23, 0.18, 0.78, 0.04}},
+    testing::Values(Gate{CurvatureMethod::fit, {0.36, 0.24, 0.4, 0.25}, {0.23, 0.18, 0.13, 0.04}},
                     Gate{CurvatureMethod::tensor, {1.0, 1.25, 2.25, 1.0}, {0.7, 1.25, 1.65, 0.23}},
                     Gate{CurvatureMethod::tensor_exact, {1.15, 1.15, 2.4, 2.0}, {0.9, 1.25, 1.6, 0.32}},
                     Gate{CurvatureMethod::diffused, {0.52, 1.05, 3.6, 0.87}, {0.6, 1.4, 1.85, 0.26}},
@@ -62,6 +62,53 @@ INSTANTIATE_TEST_SUITE_P(
       std::ranges::replace(name, '-', '_');
       return name;
     });
+
+/// A scan's faults: of a face in 333, one corner lies beyond its other side, so that the face is folded over.
+TriangleMesh with_folds(TriangleMesh mesh) {
+  for (std::size_t i = 0; i < mesh.faces.size(); i += 333) {
+    const auto& [a, b, c] = mesh.faces[i];
+    std::vector<glm::dvec3>& p = mesh.positions_m;
+    const glm::dvec3 side = glm::normalize(p[b] - p[a]), way = p[c] - p[a];
+    p[c] -= 1.5 * (way - glm::dot(way, side) * side);
+  }
+  return mesh;
+}
+
+/// Root of the mean square, over the larger true curvature, of both curvatures.
+double rms_percent(const VertexCurvatures& found, const VertexCurvatures& truth) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < truth.k_max_per_m.size(); ++i) {
+    const double k_max = truth.k_max_per_m[i], k_min = truth.k_min_per_m[i];
+    const double size = std::max(std::abs(k_max), std::abs(k_min));
+    const double off_max = (found.k_max_per_m[i] - k_max) / size;
+    const double off_min = (found.k_min_per_m[i] - k_min) / size;
+    sum += 0.5 * (off_max * off_max + off_min * off_min);
+  }
+  return 100.0 * std::sqrt(sum / static_cast<double>(truth.k_max_per_m.size()));
+}
+
+// Noise of 2 % of an edge, and folds. Fails if the default takes either for the surface: a ball of 3.5 edges
+// makes noise of 2 % seventeen times the clean error. Measured (clean, folds, both): ellipsoid 0.44, 0.55,
+// 1.0; torus 0.27, 0.41, 0.52; head 5.4, 5.7, 14.4.
+TEST(CurvatureOfScans, DefaultsStayWithinThreeTimesTheCleanError) {
+  const auto expect_robust = [](const std::string& name, const auto& make) {
+    const Shape clean = make(Roughness{.jitter = 0.25, .seed = 7});
+    const Shape noisy = make(Roughness{.jitter = 0.25, .normal_noise = 0.02, .seed = 7});
+    const auto error = [&](const TriangleMesh& mesh) {
+      return rms_percent(vertex_curvatures(mesh).curvatures, *clean.truth);
+    };
+    const double least = error(clean.mesh), folded = error(with_folds(clean.mesh));
+    const double both = error(with_folds(noisy.mesh));
+    testing::Test::RecordProperty(name, fmt::format("{:.3f} {:.3f} {:.3f}", least, folded, both));
+    EXPECT_LE(folded, 3.0 * least) << name;
+    EXPECT_LE(both, 3.0 * least) << name;
+  };
+  expect_robust("ellipsoid", [](const Roughness& r) { return make_ellipsoid({1.0, 0.75, 0.5}, 5, r); });
+  expect_robust("torus", [](const Roughness& r) {
+    return make_torus(1.0, 0.4, {160, 64, Diagonals::random}, r);
+  });
+  expect_robust("head", [](const Roughness& r) { return make_head(1.0, 5, r); });
+}
 
 double mean_error_on_sphere(int level, CurvatureMethod method) {
   const Shape sphere = make_sphere(2.0, level);
