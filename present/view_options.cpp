@@ -203,7 +203,7 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
   ReferenceComparison comparison = written.reference.read(
       {.folder = written.output, .prints_json = written.prints_json, .existing = written.existing});
   std::error_code failed;
-  std::filesystem::create_directories(comparison.folder, failed);
+  comparison.is_new_folder = std::filesystem::create_directories(comparison.folder, failed);
   if (failed || !std::filesystem::is_directory(comparison.folder)) {
     throw Error(ErrorKind::file, fmt::format("{}: cannot create the folder", written.output),
                 "name another folder");

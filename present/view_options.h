@@ -39,6 +39,7 @@ struct ReferenceComparison {
   int samples = 32;  ///< paths a pixel
   bool prints_json = false;
   Existing existing = Existing::keep;
+  bool is_new_folder = false;  ///< made by this command: removed again if it fails
 
   /// "drawn.png", "reference.png", "error.png", "compared.exr"
   std::filesystem::path file(const char* name) const { return folder / name; }

@@ -14,4 +14,11 @@ std::string lower_extension(const std::filesystem::path& path);
 /// says. The hint is the name with the first of them.
 void require_extension(const std::filesystem::path& path, std::initializer_list<std::string_view> extensions);
 
+/// Whether a name ends as one of a GIS's vector formats, such as .shp.
+bool is_vector_name(const std::filesystem::path& path);
+
+/// Throws Error(bad_usage) for a vector name that does not end in one of these: the file would be CSV.
+void refuse_vector_name(const std::filesystem::path& path,
+                        std::initializer_list<std::string_view> extensions);
+
 }  // namespace offing

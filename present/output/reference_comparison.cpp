@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -335,7 +336,15 @@ void print(const Compared& compared, const Errors& errors, const ReferenceCompar
 
 void compare_with_reference(const ViewOptions& options, const CancelToken& cancel) {
   const ReferenceComparison& asked = *options.comparison;
-  const Compared compared = compare(options, cancel);
+  const Compared compared = [&] {
+    try {
+      return compare(options, cancel);
+    } catch (...) {
+      std::error_code ignored;
+      if (asked.is_new_folder) std::filesystem::remove(asked.folder, ignored);
+      throw;
+    }
+  }();
   const ImageSize size = options.size.value_or(ImageSize{160, 90});
   const Errors errors = errors_of(compared);
   write_png(asked.file("drawn.png"), screen_image(compared.drawn, size, compared.exposure), asked.existing);

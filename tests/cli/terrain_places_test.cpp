@@ -143,6 +143,44 @@ TEST_F(TerrainPlaces, AreTheSameForEachCommand) {
   EXPECT_NEAR(render["eye"]["y"].get<double>(), 6401500.0, 1e-6);
 }
 
+// Fails if words have other places than JSON, or metres of the map instead of the system asked for.
+TEST_F(TerrainPlaces, OfAnswersInWordsAreInTheSystem) {
+  const std::vector<std::string> ray{"--crs",       "lonlat", "--from", "-70.48,-32.485,1000",
+                                     "--direction", "0,-1,0"};
+  EXPECT_THAT(ask("ray", "degrees", ray).output,
+              ::testing::ContainsRegex(
+                  "^surface at [0-9.]+ m: longitude -70.4800000[0-9], latitude -32.4850000[0-9], height "
+                  "(100|99.9[0-9]*|100.0[0-9]*) m, normal"));
+  const std::vector<std::string> sight{
+      "--crs", "map", "--from", "501000,6401800,2", "--to", "501000,6400200,2", "--clearance"};
+  EXPECT_THAT(
+      ask("los", "utm", sight).output,
+      ::testing::ContainsRegex("^hidden: ground at x 501000, y 640[0-9.]+, height [0-9.]+ m, [0-9.]+ m "
+                               "of 1600 m\nsmallest clearance -98.000 m, at 800.000 m: above ground at "
+                               "x 501000, y 6401000, height 150 m\n"));
+}
+
+// Fails if coordinates of another system than the local one get a hint that does not help.
+TEST_F(TerrainPlaces, OfOtherSystemsGetTheirFlagAsAHint) {
+  const auto hint = [&](const std::string& map, const std::string& at) {
+    const ProgramResult result = ask("height", map, {"--at", at});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, HasSubstr("--at: expected a place within 0 ... "));
+    return result.errors;
+  };
+  EXPECT_THAT(hint("degrees", "-70.49,-32.49"),
+              HasSubstr("hint: add --crs lonlat if these are longitude and"));
+  EXPECT_THAT(hint("utm", "-68.99,-32.53"), HasSubstr("hint: add --crs lonlat if"));
+  EXPECT_THAT(hint("utm", "-32.53,-68.99"), HasSubstr("hint: add --crs lonlat if"));
+  EXPECT_THAT(hint("utm", "500330,6401950"),
+              HasSubstr("hint: add --crs map if these are coordinates of the"));
+  EXPECT_THAT(hint("nowhere", "500330,6401950"), HasSubstr("hint: add --crs map if"));
+  EXPECT_THAT(hint("utm", "5000,7000"), HasSubstr("hint: `offing terrain info FILE` prints"));
+  std::ofstream(path("points.csv")) << "0,0\n-70.49,-32.49\n";
+  EXPECT_THAT(ask("height", "degrees", {"--points", path("points.csv")}).errors,
+              HasSubstr("points.csv:2: expected a place within"));
+}
+
 // Fails if a file's places are not read by the names of the system, or answers do not carry them.
 TEST_F(TerrainPlaces, OfFilesAreNamedByTheirSystem) {
   const auto lines = [&](const std::string& command, const std::string& map, const std::string& crs,
@@ -181,6 +219,10 @@ TEST_F(TerrainPlaces, AreRefusedWithAHint) {
   };
   refuse("height", "utm", {"--crs", "EPSG:999999", "--at", "1,2"}, "--crs: expected local, map, lonlat");
   refuse("height", "utm", {"--crs", "lonlat", "--at", "-70,-32"}, "--at: expected a place on the map");
+  refuse("height", "utm", {"--crs", "map", "--at", "499000,6403500"},
+         "found 499000, 6403500, 1000 m west and 1500 m north of its north-west post\nhint: `offing terrain "
+         "info " +
+             path("utm.asc") + " --crs map` prints");
   refuse("height", "utm", {"--crs", "lonlat", "--at", "-32.53,-68.99"}, "write -68.99,-32.53");
   refuse("height", "utm", {"--crs", "lonlat", "--at", "-69,-132"}, "nowhere in the map's coordinate system");
   refuse("height", "utm", {"--crs", "lonlat", "--at", "-69"}, "--at: expected LON,LAT");

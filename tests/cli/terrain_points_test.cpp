@@ -184,12 +184,12 @@ TEST_F(TerrainPoints, AreRefusedWithAHint) {
   };
   refuse("height", wells({"--layer", "masts"}), "--layer: expected one of wells, found masts");
   refuse("height", wells({"--crs", "map"}), "--crs: expected none, because");
-  refuse("los", wells({}), "wells: feature 1: expected a line of two points, found POINT");
+  refuse("los", wells({}), "wells: feature id 1: expected a line of two points, found POINT");
   refuse("ray", wells({}), "wells.gpkg: wells: expected an attribute \"direction_x\", found none");
   std::ofstream(path("far.geojson"))
       << R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[-70.4,-32.49]}})";
   refuse("height", {"--points", path("far.geojson"), "-o", path("out.gpkg")},
-         "feature 0: expected a place on the map");
+         "feature id 0: expected a place on the map");
   const auto ray_from = [](const char* point) {
     return std::string(
                R"({"type":"Feature","properties":{"direction_x":0,"direction_y":-1,"direction_z":0},)") +
@@ -200,14 +200,27 @@ TEST_F(TerrainPoints, AreRefusedWithAHint) {
       << R"({"type":"FeatureCollection","features":[)" << ray_from("[-70.4967,-32.49,900]") << ','
       << ray_from("[-70.4967,-32.49]") << "]}";
   refuse("ray", {"--points", path("mixed.geojson"), "-o", path("out.csv")},
-         "feature 1: expected a point with a z");
+         "feature id 1: expected a point with a z");
   std::ofstream(path("high.geojson")) << ray_from("[-70.4967,-32.49,1e10]");
   refuse("ray", {"--points", path("high.geojson"), "-o", path("out.csv")},
-         "feature 0: z: expected a number within [-1e+09, 1e+09], found 1e+10");
+         "feature id 0: z: expected a number within [-1e+09, 1e+09], found 1e+10");
   std::ofstream(path("empty.geojson")) << R"({"type":"FeatureCollection","features":[]})";
   refuse("height", {"--points", path("empty.geojson"), "-o", path("out.csv")}, "expected points, found none");
   std::ofstream(path("plain.csv")) << "1,2\n";
   refuse("height", {"--points", path("plain.csv"), "--layer", "a"}, "--layer: expected a GeoPackage");
+  // GIS formats that are neither read nor written: the first was read as text, the second written as CSV.
+  std::ofstream(path("wells.shp"), std::ios::binary) << std::string("\0\0\x27\n", 4);
+  refuse("height", {"--points", path("wells.shp"), "-o", path("out.csv")},
+         "hint: convert it: ogr2ogr wells.gpkg " + path("wells.shp"));
+  refuse("height", {"--points", path("wells.gpkg"), "-o", path("out.geojson")},
+         "out.geojson: expected a name that ends in .gpkg or .csv");
+  refuse("profile", {"--from", "0,0", "--to", "9,9", "-o", path("out.gpkg")},
+         "out.gpkg: expected a name that ends in .csv");
+  refuse("viewshed", {"--points", path("wells.gpkg"), "--shares", path("out.shp"), "-o", path("out.tif")},
+         "out.shp: expected a name that ends in .gpkg or .csv");
+  std::ofstream(path("broken.json")) << "{";
+  refuse("height", {"--points", path("broken.json")},
+         "as with ogr2ogr broken_points.gpkg " + path("broken.json") + ", or");
   write_wells("nowhere.gpkg", "");
   refuse("height", {"--points", path("nowhere.gpkg")}, "nowhere.gpkg: wells: expected a coordinate system");
   EXPECT_EQ(ask("height", {"--points", path("nowhere.gpkg"), "--crs", "lonlat"}).exit_code, 0);

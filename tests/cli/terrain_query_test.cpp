@@ -98,8 +98,9 @@ TEST_F(TerrainQuery, ClearancesAreThoseOfTheWall) {
   EXPECT_NEAR(json["fresnel_share"].get<double>(), 30.0 / std::sqrt(299792458.0 / 1e9 * 40.0), 1e-3);
   EXPECT_NEAR(json["fresnel_radius_m"].get<double>(), 3.463, 1e-3);
   EXPECT_EQ(answer("los", {flags[0], flags[1], flags[2], flags[3]}).contains("clearance_m"), false);
-  EXPECT_THAT(ask("los", {"--from", "100,20,30", "--to", "100,180,30", "--clearance"}).output,
-              ::testing::HasSubstr("smallest clearance -70.000 m, at 80.000 m\n"));
+  EXPECT_THAT(
+      ask("los", {"--from", "100,20,30", "--to", "100,180,30", "--clearance"}).output,
+      ::testing::HasSubstr("smallest clearance -70.000 m, at 80.000 m: above ground at (100, 150, 100)\n"));
   std::ofstream(path("lines.csv")) << "100,20,130,100,180,130\n";
   EXPECT_THAT(
       ask("los", {"--points", path("lines.csv"), "--clearance"}).output,

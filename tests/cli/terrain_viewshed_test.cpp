@@ -241,14 +241,15 @@ TEST_F(TerrainViewshed, RefusesObserversWithAHint) {
     EXPECT_FALSE(std::ifstream(path("shares.csv")).is_open());
   };
   refuse("50,20\n500,20\n", {}, "points.csv:2: expected a place within");
-  refuse("x_m,z_m,observer_height_m\n50,20,-3\n", {}, "points.csv:2: viewshed: observer_height_m: expected");
-  refuse("x_m,z_m,lowest_deg\n50,20,95\n", {}, "points.csv:2: viewshed: lowest: expected -90 ... 90 degrees");
+  refuse("x_m,z_m,observer_height_m\n50,20,-3\n", {}, "points.csv:2: observer_height_m: expected");
+  refuse("x_m,z_m,lowest_deg\n50,20,95\n", {}, "points.csv:2: lowest_deg: expected -90 ... 90 degrees");
   refuse("x_m,z_m,radius_m\n50,20,far\n", {},
          "points.csv:2: radius_m: expected a number within [-2e+07, 2e+07], found \"far\"");
   refuse("\n", {}, "points.csv: expected points, found none");
   refuse("50,20\n", {"--observer", "50,20"}, "--observer");
   refuse("50,20\n", {"--best", "0"}, "--best: expected");
-  refuse("50,20\n", {"--lowest-deg", "10", "--highest-deg", "5"}, "highest: expected an angle above");
+  refuse("50,20\n", {"--lowest-deg", "10", "--highest-deg", "5"},
+         "--highest-deg: expected an angle above --lowest-deg 10, found 5");
   refuse("50,20\n", {"--union", path("union.png")}, "union.png");
 }
 

@@ -1,5 +1,6 @@
 #include "host/io/file_extension.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
@@ -31,6 +32,24 @@ TEST(FileExtension, OfPicturesOnStandardOutput) {
   } catch (const Error& error) {
     EXPECT_EQ(error.hint(), "name it out.png");
   }
+}
+
+// Fails if CSV is written under the name of a GIS format, or other names are refused.
+TEST(FileExtension, OfVectorFormats) {
+  for (const char* name : {"a/b.gpkg", "a/b.GPKG", "a/b.csv", "a/b.txt", "a/b", "-", ""})
+    EXPECT_NO_THROW(refuse_vector_name(name, {".gpkg", ".csv"})) << name;
+  for (const char* extension :
+       {".geojson", ".json", ".shp", ".kml", ".kmz", ".gml", ".fgb", ".gpx", ".dxf", ".SHP"}) {
+    try {
+      refuse_vector_name(std::string("a/b") + extension, {".gpkg", ".csv"});
+      ADD_FAILURE() << extension;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("expected a name that ends in .gpkg or .csv, found ."));
+      EXPECT_EQ(error.hint(), "name it b.gpkg or b.csv");
+    }
+  }
+  EXPECT_THROW(refuse_vector_name("b.gpkg", {".csv"}), Error);
 }
 
 TEST(FileExtension, InLowerCase) {

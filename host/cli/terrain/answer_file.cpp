@@ -14,7 +14,6 @@
 
 #include "host/base/error.h"
 #include "host/command_line/new_output.h"
-#include "host/io/file_extension.h"
 
 namespace offing::cli {
 namespace {

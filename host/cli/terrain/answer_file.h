@@ -6,6 +6,7 @@
 
 #include "host/cli/terrain/question_file.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
 
 namespace offing::cli {
 
@@ -30,6 +31,11 @@ class AnswerFile {
   /// Publishes the file, whole or not at all.
   virtual void commit() = 0;
 };
+
+/// Throws Error(bad_usage) for the name of a GIS format that create_answers() does not write.
+inline void require_answer_name(const std::string& output) {
+  refuse_vector_name(output, {".gpkg", ".csv"});
+}
 
 /// A GeoPackage for a name that ends in .gpkg, otherwise CSV; standard output for an empty name and "-". A
 /// GeoPackage has places in the questions' system, or those of local questions in the map's. Throws

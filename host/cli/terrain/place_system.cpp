@@ -1,5 +1,7 @@
 #include "host/cli/terrain/place_system.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +9,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/cli/terrain/terrain_place.h"
 
 namespace offing::cli {
 namespace {
@@ -82,13 +85,38 @@ void PlaceSystem::refuse(const std::string& name, const glm::dvec2& place, const
   }
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a place on the map, found {:.10g}, {:.10g}{}", name, place.x, place.y,
-                          std::isnan(place_m.x) ? ", which is nowhere in the map's coordinate system"
-                                                : fmt::format(", {:.6g} m east and {:.6g} m south of its "
-                                                              "north-west post",
-                                                              place_m.x, place_m.y)),
-              system_.find('[') == std::string::npos
-                  ? fmt::format("`offing terrain info --crs {}` prints the map's corners", printable(system_))
-                  : "`offing terrain info` prints the map's corners");
+                          std::isnan(place_m.x)
+                              ? ", which is nowhere in the map's coordinate system"
+                              : fmt::format(", {:.6g} m {} and {:.6g} m {} of its "
+                                            "north-west post",
+                                            std::abs(place_m.x), place_m.x < 0.0 ? "west" : "east",
+                                            std::abs(place_m.y), place_m.y < 0.0 ? "north" : "south")),
+              fmt::format("`offing terrain info {}{}` prints the map's corners", one_line(map_.file),
+                          system_.find('[') == std::string::npos ? " --crs " + printable(system_) : ""));
+}
+
+void PlaceSystem::refuse_other_system(const std::string& name, const glm::dvec2& place) const {
+  if (map_.georeference.step_x == 0.0) return;
+  const std::array both{place, glm::dvec2(place.y, place.x)};
+  for (const char* system : {lonlat_places, map_places}) {
+    if (system == lonlat_places && map_.georeference.coordinate_system.empty()) continue;
+    std::vector<glm::dvec2> local_m;
+    try {
+      local_m = map_coordinates(map_, system)->to_local(both);
+    } catch (const Error&) {
+      continue;  // a system that is nowhere on the Earth, as that of generated terrain
+    }
+    if (!is_within(local_m[0]) && !is_within(local_m[1])) continue;
+    try {
+      require_within(name, map_.spacing_x_m * (map_.columns - 1), map_.spacing_z_m * (map_.rows - 1), place.x,
+                     place.y);
+    } catch (const Error& error) {
+      throw Error(error.kind(), error.what(),
+                  fmt::format("add --crs {} if these are {}", system,
+                              system == lonlat_places ? "longitude and latitude"
+                                                      : "coordinates of the map's own system"));
+    }
+  }
 }
 
 std::vector<glm::dvec2> PlaceSystem::on_map(const NameOfPlace& name_of,
@@ -104,7 +132,17 @@ std::vector<glm::dvec2> PlaceSystem::on_map(const NameOfPlace& name_of,
 std::vector<glm::dvec2> PlaceSystem::within_map(const NameOfPlace& name_of,
                                                 std::span<const glm::dvec2> places) const {
   std::vector<glm::dvec2> places_m = on_map(name_of, places);
-  if (is_local()) return places_m;
+  if (is_local()) {
+    const auto beyond = std::ranges::find_if(places_m, [this](const glm::dvec2& place_m) {
+      constexpr double rounding_posts = 1e-6;
+      const double column = place_m.x / map_.spacing_x_m, row = place_m.y / map_.spacing_z_m;
+      return std::min(column, row) < -rounding_posts || column > map_.columns - 1 + rounding_posts ||
+             row > map_.rows - 1 + rounding_posts;
+    });
+    if (beyond != places_m.end())
+      refuse_other_system(name_of(static_cast<std::size_t>(beyond - places_m.begin())), *beyond);
+    return places_m;
+  }
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!is_within(places_m[i])) refuse(name_of(i), places[i], places_m[i]);
   }
@@ -137,3 +175,12 @@ nlohmann::ordered_json PlaceSystem::to_json(const glm::dvec2& place_m, const dou
 }
 
 }  // namespace offing::cli
+std::string PlaceSystem::text(const glm::dvec2& place_m, double height_m) const {
+  if (is_local()) return fmt::format("({}, {}, {})", place_m.x, height_m, place_m.y);
+  const glm::dvec2 place = of_map(place_m);
+  // A millimetre, of degrees and of what is likely to be metres.
+  if (system_ == lonlat_places)
+    return fmt::format("longitude {:.8f}, latitude {:.8f}, height {} m", place.x, place.y, height_m);
+  return fmt::format("x {:.10g}, y {:.10g}, height {} m", place.x, place.y, height_m);
+}
+

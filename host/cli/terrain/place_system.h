@@ -62,7 +62,8 @@ class PlaceSystem {
   /// in the map's system; they may be beyond the map.
   std::vector<glm::dvec2> on_map(const NameOfPlace& name_of, std::span<const glm::dvec2> places) const;
   glm::dvec2 on_map(std::string_view flag, const glm::dvec2& place) const;
-  /// The same for places that must be within the map. Local ones are left for the ground to judge.
+  /// The same for places that must be within the map. Local ones are left for the ground to judge, unless
+  /// they are within the map in its own system or in degrees: then the hint is to name that one.
   std::vector<glm::dvec2> within_map(const NameOfPlace& name_of, std::span<const glm::dvec2> places) const;
   glm::dvec2 within_map(std::string_view flag, const glm::dvec2& place) const;
 
@@ -71,9 +72,13 @@ class PlaceSystem {
   glm::dvec2 of_map(const glm::dvec2& place_m) const;
   /// A place and its height in the system, for JSON; null for local places, which have keys of their own.
   nlohmann::ordered_json to_json(const glm::dvec2& place_m, const double* height_m = nullptr) const;
+  /// A place and its height in the system, for words: "(X, Y, Z)" for local places.
+  std::string text(const glm::dvec2& place_m, double height_m) const;
 
  private:
   bool is_within(const glm::dvec2& place_m) const;
+  /// Throws as within_map() does for a local place that looks like one of another system.
+  void refuse_other_system(const std::string& name, const glm::dvec2& place) const;
   [[noreturn]] void refuse(const std::string& name, const glm::dvec2& place, const glm::dvec2& place_m) const;
 
   MapFrame map_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
+#include "host/io/file_extension.h"
 
 namespace offing::cli {
 namespace {
@@ -247,6 +249,13 @@ std::unique_ptr<QuestionFile> open_questions(const QuestionSource& source, const
                   fmt::format("--layer: expected a GeoPackage or a GeoJSON as --points, found {}",
                               one_line(source.file)),
                   "leave --layer out");
+    }
+    if (is_vector_name(source.file)) {
+      const std::string package = std::filesystem::path(source.file).filename().replace_extension(".gpkg");
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a GeoPackage, a GeoJSON or CSV, found {}", one_line(source.file),
+                              lower_extension(source.file)),
+                  fmt::format("convert it: ogr2ogr {} {}", one_line(package), one_line(source.file)));
     }
     return std::make_unique<TableQuestions>(source, PlaceSystem(map, crs), columns);
   }

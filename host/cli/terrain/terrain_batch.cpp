@@ -58,6 +58,7 @@ void TerrainBatch::add_to(CLI::App& command, QuestionColumns columns, const std:
       ->needs(points);
   add_force_flag(command, existing_)->group(batch_group)->needs(points);
 }
+  require_answer_name(output_);
 
 void TerrainBatch::require_question(const std::string& single, const TerrainInput& terrain) const {
   if (!is_standard_output(output_))

@@ -34,7 +34,7 @@ class TerrainBatch {
 
   bool is_asked() const { return !points_.empty(); }
   /// Throws Error(bad_usage) unless there is a batch or what the flag of a single question says, and what
-  /// require_new() throws; `ground` is the file that is asked.
+  /// require_answer_name() and require_new() throw; `ground` is the file that is asked.
   void require_question(const std::string& single, const TerrainInput& terrain) const;
 
   /// The questions about a map; `crs` is what --crs says. Throws what open_questions() throws.

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -96,11 +97,16 @@ void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, const Plac
   if (is_visible) {
     fmt::print("visible, {:.9g} m away\n", sight.distance_m());
   } else {
-    fmt::print("hidden: ground at ({}, {}, {}), {} m of {:.9g} m\n", by_m.x, by_m.y, by_m.z,
+    fmt::print("hidden: ground at {}, {} m of {:.9g} m\n", system.text({by_m.x, by_m.z}, by_m.y),
                sight.hidden_at_m(hit), sight.distance_m());
   }
-  if (clearance)
-    fmt::print("smallest clearance {:.3f} m, at {:.3f} m\n", clearance->clearance_m, clearance->at_m);
+  if (clearance) {
+    const auto millimetres = [](double value_m) { return std::round(1e3 * value_m) / 1e3; };
+    fmt::print("smallest clearance {:.3f} m, at {:.3f} m: above ground at {}\n", clearance->clearance_m,
+               clearance->at_m,
+               system.text({millimetres(clearance->x_m), millimetres(clearance->z_m)},
+                           millimetres(clearance->ground_m)));
+  }
   if (fresnel) {
     fmt::print("smallest share of the first Fresnel zone {:.4f}, at {:.3f} m, where its radius is {:.3f} m\n",
                fresnel->share, fresnel->at_m, fresnel->radius_m);

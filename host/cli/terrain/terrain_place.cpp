@@ -17,7 +17,7 @@ Error beyond_map(std::string_view flag, double width_m, double depth_m, double x
           fmt::format("{}: expected a place within 0 ... {:g} m east and 0 ... {:g} m south of the "
                       "north-west post, found {:g}, {:g}",
                       flag, width_m, depth_m, x_m, z_m),
-          "`offing terrain info` prints the extent of the map"};
+          "`offing terrain info FILE` prints the extent of the map"};
 }
 
 }  // namespace

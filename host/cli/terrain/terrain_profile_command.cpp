@@ -16,6 +16,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
 
 namespace offing::cli {
 
@@ -41,6 +42,7 @@ void run(const TerrainProfileArguments& arguments) {
   const GivenPlace given_from = read_place("--from", arguments.from, PlaceForm::plan, crs, "0,0");
   const GivenPlace given_to = read_place("--to", arguments.to, PlaceForm::plan, crs, "1200,350");
   const bool prints = arguments.output.empty() || is_standard_output(arguments.output);
+  refuse_vector_name(arguments.output, {".csv"});
   if (!prints)
     require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
   const terrain::EarthCurve curve = arguments.curve.read();

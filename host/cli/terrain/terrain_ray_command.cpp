@@ -133,9 +133,9 @@ void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, const Pla
     json["steps"] = hit.steps;
     print_json(json);
   } else if (is_hit) {
-    fmt::print("{} at {} m: ({}, {}, {}), normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n", name_of(hit.kind),
-               hit.rounded_m(hit.distance_m), point_m.x, point_m.y, point_m.z, normal.x, normal.y, normal.z,
-               hit.steps);
+    fmt::print("{} at {} m: {}, normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n", name_of(hit.kind),
+               hit.rounded_m(hit.distance_m), system.text({point_m.x, point_m.z}, point_m.y), normal.x,
+               normal.y, normal.z, hit.steps);
   } else {
     fmt::print("miss, {} steps\n", hit.steps);
   }

@@ -76,7 +76,7 @@ void run_sky(const TerrainSkyArguments& arguments, const GlobalOptions& options)
       arguments.existing);
   std::unique_ptr<BandedRasterWriter> angles;
   if (!arguments.horizons.empty()) angles = create_horizons(arguments, map, bands.front(), azimuths);
-  Progress progress(static_cast<int>(bands.size()), "bands", options.verbosity);
+  Progress progress(static_cast<int>(bands.size()), "blocks of rows", options.verbosity);
   RasterRange range;
   std::vector<float> values;
   for (const terrain::RowBand& band : bands) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +51,34 @@ struct TerrainSunArguments {
   Existing existing = Existing::keep;
 };
 
+/// Whether a text has a form, in which d is a digit.
+bool has_form(std::string_view text, std::string_view form) {
+  return std::ranges::equal(text, form, [](char letter, char expected) {
+    return expected == 'd' ? letter >= '0' && letter <= '9' : letter == expected;
+  });
+}
+
+/// Of a text that is no day and no time.
+[[noreturn]] void refuse_moment(std::string_view flag, const std::string& text) {
+  constexpr std::string_view day = "dddd-dd-dd", offset = "+dd:dd";
+  if (has_form(text, day) && !parse_iso_time(text + "T00:00Z")) {
+    throw bad_argument(flag, "a day that exists, as YYYY-MM-DD", text, "2026-06-21");
+  }
+  const std::size_t sign = text.size() < offset.size() ? 0 : text.size() - offset.size();
+  if (sign > day.size() && parse_iso_time(text.substr(0, sign) + "Z") &&
+      (has_form(text.substr(sign), offset) || has_form(text.substr(sign), "-dd:dd"))) {
+    const std::string hours = text.substr(sign, 3), minutes = text.substr(sign + 4);
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected a time without an offset from UTC, got \"{}\"", flag, text),
+                fmt::format("write {} {} --utc-offset-h {:g}", flag, text.substr(0, sign),
+                            std::stod(hours) + (hours[0] == '-' ? -1.0 : 1.0) * std::stod(minutes) / 60.0));
+  }
+  throw bad_argument(flag,
+                     "a day or a time of the years 1901 to 2099, as YYYY-MM-DD, YYYY-MM-DDTHH:MM or "
+                     "YYYY-MM-DDTHH:MMZ",
+                     text, "2026-06-21");
+}
+
 /// Seconds since 1970 of a day's start or end, or of a time of day, both by a clock ahead of UTC.
 std::int64_t read_moment(std::string_view flag, const std::string& text, bool is_end, double utc_offset_h) {
   std::optional<UtcTime> time = parse_iso_time(text);
@@ -58,8 +87,7 @@ std::int64_t read_moment(std::string_view flag, const std::string& text, bool is
   if (is_day) time = parse_iso_time(text + "T00:00Z");
   constexpr int first_year = 1901, last_year = 2099;
   if (!time || time->year < first_year || time->year > last_year) {
-    throw bad_argument(flag, "a day or a time of the years 1901 to 2099", text,
-                       "2026-06-21 or 2026-06-21T09:30");
+    refuse_moment(flag, text);
   }
   const std::int64_t clock_s = unix_seconds(*time) + (is_day && is_end ? seconds_per_day : 0);
   return clock_s - std::llround(utc_offset_h * static_cast<double>(seconds_per_hour));
@@ -73,7 +101,8 @@ std::int64_t read_step(const std::string& text) {
   const double seconds = unit == "s" ? 1.0 : unit == "min" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
   const double step_s = std::round(value * seconds);
   if (error != std::errc{} || !(step_s >= 1.0) || step_s > static_cast<double>(seconds_per_day)) {
-    throw bad_argument("--step", "a time of 1 s to 24 h with its unit, s, min or h", text, "15min");
+    throw bad_argument("--step", "a time of 1 s to 24 h with its unit, s, min or h", text,
+                       unit == "m" ? text + "in" : "15min");
   }
   return static_cast<std::int64_t>(step_s);
 }
@@ -155,7 +184,7 @@ void run_sun(const TerrainSunArguments& arguments, const GlobalOptions& options)
       raster_on_map(map, bands.front(), false,
                     {{"h", "hours of sun"}, {"kWh/m2", "direct sunlight on the ground under a clear sky"}}),
       arguments.existing);
-  Progress progress(static_cast<int>(bands.size()), "bands", options.verbosity);
+  Progress progress(static_cast<int>(bands.size()), "blocks of rows", options.verbosity);
   RasterRange hours_range, energy_range;
   std::vector<float> hours, energy_kwh;
   std::vector<std::uint8_t> lit;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -215,11 +216,23 @@ Observers read_observers(const TerrainViewshedArguments& arguments, const MapFra
       const double given = block.optional[i * values.size() + value];
       if (!std::isnan(given)) *values[value] = value < first_angle ? given : given * radians_per_degree;
     }
+    // As the columns are named: "viewshed: radius_m: ..." and "viewshed: lowest: ..., found 95 degrees".
+    const auto refuse = [&name](const Error& error, const char* unit) {
+      constexpr std::string_view library = "viewshed: ";
+      std::string what = error.what();
+      if (what.starts_with(library)) what.erase(0, library.size());
+      what.insert(std::min(what.find(':'), what.size()), unit);
+      throw Error(error.kind(), fmt::format("{}: {}", name, what), error.hint());
+    };
     try {
       terrain::require_valid(observer.parameters, grid);
+    } catch (const Error& error) {
+      refuse(error, "");
+    }
+    try {
       terrain::require_valid(observer.limits);
     } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("{}: {}", name, error.what()), error.hint());
+      refuse(error, "_deg");
     }
     observers.add(observer, name);
   }
@@ -502,6 +515,7 @@ void require_outputs(const TerrainViewshedArguments& arguments) {
   for (const std::string& file : {arguments.united, arguments.needed}) {
     if (!file.empty()) require_extension(file, {".tif", ".tiff"});
   }
+  require_answer_name(arguments.shares);
   require_distinct({{"--output", arguments.output},
                     {"--union", arguments.united},
                     {"--shares", arguments.shares},
@@ -520,7 +534,13 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
         read_place("--observer", arguments.observer, PlaceForm::plan, arguments.places.system(), "1200,350");
   const terrain::ViewshedParameters parameters = arguments.settings.read({.curve = arguments.curve.read()});
   const ViewshedSettings settings = arguments.more.read();
-  terrain::require_valid(settings.limits());
+  if (settings.highest_rad <= settings.lowest_rad) {
+    throw Error(
+        ErrorKind::bad_usage,
+        fmt::format("--highest-deg: expected an angle above --lowest-deg {:g}, found {:g}",
+                    settings.lowest_rad / radians_per_degree, settings.highest_rad / radians_per_degree),
+        "give the lower angle as --lowest-deg");
+  }
   require_flags_of(arguments.input, arguments.cache);
   std::optional<TileStore> store;
   SeenMap seen_map;

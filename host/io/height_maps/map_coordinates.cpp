@@ -66,10 +66,11 @@ std::string other_system(const std::string& flag, const char* system) {
 
 [[noreturn]] void refuse_map(const MapFrame& map, const std::string& flag, const std::string& system,
                              const std::string& found, const std::string& hint) {
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected a map with a place in the world, as {} {} needs, found {}",
-                          one_line(map.file), flag, short_name(system), found),
-              hint);
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}: expected a map with a place in the world{}, found {}", one_line(map.file),
+                  flag.empty() ? "" : fmt::format(", as {} {} needs", flag, short_name(system)), found),
+      hint);
 }
 
 /// How many units of a geographic system go round the Earth; 0 for other systems.

@@ -53,7 +53,7 @@ class MapCoordinates {
 
 /// `system` is one of the words above, WKT, "EPSG:n" or another text that PROJ understands. Throws
 /// Error(bad_input) that names `flag` for an unknown system, and one that names the map if it does not say
-/// where it lies in the world.
+/// where it lies in the world: with `flag` and `system`, unless `flag` is empty.
 std::unique_ptr<MapCoordinates> map_coordinates(const MapFrame& map, const std::string& system,
                                                 const std::string& flag = "--crs");
 

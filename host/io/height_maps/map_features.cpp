@@ -224,7 +224,8 @@ FeatureTable read_features(const std::filesystem::path& path, FeatureShape shape
                                    formats.data(), nullptr, nullptr));
   if (!dataset) {
     refuse_file(path, fmt::format("a file that cannot be opened as one: {}", session.failure()),
-                "convert it with ogr2ogr POINTS.gpkg, or give a CSV file");
+                fmt::format("convert it, as with ogr2ogr {}_points.gpkg {}, or give a CSV file",
+                            one_line(path.stem().string()), one_line(path.string())));
   }
   const OGRLayerH source = find_layer(path, dataset.get(), layer);
   FeatureTable table;

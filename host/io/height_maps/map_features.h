@@ -52,8 +52,10 @@ struct FeatureTable {
   std::size_t count() const { return ids.size(); }
   /// "wells.gpkg: wells".
   std::string name() const { return one_line(file.string()) + ": " + printable(layer); }
-  /// "wells.gpkg: wells: feature 7".
-  std::string place_of(std::size_t index) const { return name() + ": feature " + std::to_string(ids[index]); }
+  /// "wells.gpkg: wells: feature id 7". The file gives the id: GeoJSON counts from 0, GeoPackage from 1.
+  std::string place_of(std::size_t index) const {
+    return name() + ": feature id " + std::to_string(ids[index]);
+  }
 };
 
 /// Whether a name is that of a GIS file: .gpkg, .geojson or .json.

@@ -98,19 +98,29 @@ TEST_F(TerrainSun, RefusesWithAHint) {
     return more;
   };
   refuse({"--to", "2026-06-21"}, "--from");
-  refuse({"--from", "2026-06-31", "--to", "2026-07-01"}, "--from: expected a day or a time");
+  for (const std::string day_of_none : {"2026-06-31", "2026-21-06"}) {
+    refuse({"--from", day_of_none, "--to", "2026-07-01"},
+           "--from: expected a day that exists, as YYYY-MM-DD");
+  }
+  for (const std::string other_form : {"21-06-2026", "2026/06/21"}) {
+    refuse({"--from", other_form, "--to", "2026-07-01"},
+           "--from: expected a day or a time of the years 1901 to 2099, as YYYY-MM-DD, ");
+  }
+  refuse({"--from", "2026-06-21T09:30-04:30", "--to", "2026-07-01"},
+         "hint: write --from 2026-06-21T09:30 --utc-offset-h -4.5\n");
   refuse({"--from", "June", "--to", "2026-07-01"}, "--from: expected a day or a time");
   refuse({"--from", "2026-06-21", "--to", "2160-06-21"}, "--to: expected a day or a time of the years 1901");
   refuse({"--from", "2026-06-21", "--to", "2026-06-20"}, "--to: expected a time after --from");
   refuse(with({"--step", "0h"}), "--step: expected a time");
   refuse(with({"--step", "-5min"}), "--step: expected a time");
   refuse(with({"--step", "15"}), "--step: expected a time");
+  refuse(with({"--step", "30m"}), "hint: write --step 30min\n");
   refuse(with({"--step", "two"}), "--step: expected a time");
   refuse({"--from", "1990-01-01", "--to", "2026-06-20", "--step", "1min"},
          "--step: expected at most 100000 steps");
   refuse(with({"--turbidity", "0"}), "--turbidity: expected");
   refuse(with({"--azimuths", "1"}), "--azimuths: expected");
-  refuse(with({}), "grid.asc", false);
+  refuse(with({}), "grid.asc: expected a map with a place in the world, found no coordinate system\n", false);
   refuse(with({"--latitude-deg", "46"}), "--longitude-deg", false);
   refuse(with({"--latitude-deg", "95", "--longitude-deg", "8"}), "--latitude-deg: expected", false);
   refuse({"--from", "2026-06-21T00:00", "--to", "2026-06-21T02:00", "--masks", path("masks.tif")},

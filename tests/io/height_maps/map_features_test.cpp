@@ -116,7 +116,7 @@ TEST_F(MapFeatures, HavePlacesAndAttributes) {
                                              "well 1", std::int64_t{1}, std::monostate{},
                                              "well 2", std::int64_t{2}, 2.5};
   EXPECT_EQ(table.values, expected);
-  EXPECT_THAT(table.place_of(1), HasSubstr("a.gpkg: wells: feature 2"));
+  EXPECT_THAT(table.place_of(1), HasSubstr("a.gpkg: wells: feature id 2"));
 }
 
 // Fails if a file says when it was written: equal features are equal bytes.
@@ -163,10 +163,10 @@ TEST_F(MapFeatures, AreInTheOrderOfMaps) {
 
 // Fails if what is no point, or not where it says, is taken for one.
 TEST_F(MapFeatures, OfOtherShapesAreRefused) {
-  refuse(layer_of({"POINT(1 2)", "LINESTRING(1 2,3 4)"}), "feature 2: expected a point, found LINESTRING");
+  refuse(layer_of({"POINT(1 2)", "LINESTRING(1 2,3 4)"}), "feature id 2: expected a point, found LINESTRING");
   refuse(layer_of({"MULTIPOINT((1 2),(3 4))"}), "found MULTIPOINT of 2 parts");
   refuse(layer_of({"POINT EMPTY"}), "found an empty geometry");
-  refuse(layer_of({""}), "feature 1: expected a point, found no geometry");
+  refuse(layer_of({""}), "feature id 1: expected a point, found no geometry");
   refuse(layer_of({"LINESTRING(1 2,3 4,5 6)"}), "expected a line of two points, found LINESTRING of 3 parts",
          "", FeatureShape::lines);
   refuse(layer_of({}), "wells: expected points, found none");

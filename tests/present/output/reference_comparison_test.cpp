@@ -129,14 +129,16 @@ TEST_F(ReferenceComparisonTest, KeepsWhatTheSceneReads) {
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "heights");
 }
 
-// Fails if what cannot be compared is not said to be so.
+// Fails if what cannot be compared is not said to be so, or leaves a folder.
 TEST_F(ReferenceComparisonTest, RefusesWhatCannotBeCompared) {
   const ProgramResult empty = compare(scene(""));
   EXPECT_EQ(empty.exit_code, 2);
   EXPECT_THAT(empty.errors, HasSubstr("expected a scene with clouds"));
+  EXPECT_FALSE(std::filesystem::exists(path("compared")));
   const ProgramResult mixed = compare(scene("[[cloud]]\n[[cloud]]\ng = 0.5\n"));
   EXPECT_EQ(mixed.exit_code, 2);
   EXPECT_THAT(mixed.errors, HasSubstr("one phase function"));
+  EXPECT_FALSE(std::filesystem::exists(path("compared")));
   EXPECT_THAT(run_offing({scene("[[cloud]]\n"), "--compare-reference"}).errors,
               HasSubstr("expected a folder"));
   EXPECT_THAT(run_offing({scene("[[cloud]]\n"), "--samples", "4", "-o", path("a.png")}).errors,

@@ -149,7 +149,7 @@ void require_place(const MapFrame& map) {
 std::vector<SunPlace> sun_places(const MapFrame& map, std::span<const glm::dvec2> places_m) {
   std::unique_ptr<MapCoordinates> lonlat;
   try {
-    lonlat = map_coordinates(map, lonlat_places);
+    lonlat = map_coordinates(map, lonlat_places, "");
   } catch (const Error& error) {
     throw nowhere(error);
   }
