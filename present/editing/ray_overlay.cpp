@@ -101,15 +101,14 @@ void draw_ray_overlay(const TerrainPick& pick, const world::WorldTerrain& terrai
   pen.line(pick.ray.origin_m, pick.place_m, ray_colour, 2.0f);
 }
 
-void draw_step_legend() {
-  constexpr float margin = 8.0f, bar_height = 14.0f;
+void draw_step_legend(PanelLayout& layout) {
   constexpr int pieces = 80;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, margin), ImGuiCond_FirstUseEver, ImVec2(0.5f, 0.0f));
+  const float bar_height = ImGui::GetFontSize();
+  layout.place_low_left();
   ImGui::Begin("Steps of a ray", nullptr,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float width = 16.0f * ImGui::GetFontSize(), most = terrain::step_colours.back().steps;
+  const float width = 11.0f * ImGui::GetFontSize(), most = terrain::step_colours.back().steps;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (int i = 0; i < pieces; ++i) {
     const float left = origin.x + width * static_cast<float>(i) / pieces,
@@ -126,6 +125,7 @@ void draw_step_legend() {
                  ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   }
   ImGui::Dummy(ImVec2(width, bar_height + ImGui::GetFontSize()));
+  layout.end_low();
   ImGui::End();
 }
 

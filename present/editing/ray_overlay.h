@@ -3,6 +3,7 @@
 #include "host/base/camera.h"
 #include "host/terrain/cast/ray.h"
 #include "present/editing/terrain_pick.h"
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 
@@ -12,6 +13,6 @@ namespace offing::present {
 void draw_ray_overlay(const TerrainPick& pick, const world::WorldTerrain& terrain, const Camera& camera);
 
 /// Draws the colours of steps with their numbers (terrain::step_colours), as an ImGui window.
-void draw_step_legend();
+void draw_step_legend(PanelLayout& layout);
 
 }  // namespace offing::present

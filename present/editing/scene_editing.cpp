@@ -19,6 +19,7 @@ void SceneEditing::begin_anew(SceneHistory history) {
   objects_ = {};
   history_ = std::move(history);
   is_last_noted_ = true;
+  ++edits_;
 }
 
 SceneHistory SceneEditing::history() const {
@@ -79,7 +80,9 @@ void SceneEditing::apply(Edit edit) {
   if (edit == Edit::none) return;
   if (!edit_sea(edit)) return;
   is_last_noted_ = edit == Edit::done;
-  if (is_last_noted_) history_.note(state_.scene);
+  if (!is_last_noted_) return;
+  history_.note(state_.scene);
+  ++edits_;
 }
 
 bool SceneEditing::edit_sea(Edit edit) {
@@ -103,6 +106,7 @@ void SceneEditing::take_scene(scene::Scene scene) {
   take_camera_path(state_.scene, scene);
   scene.view.camera = state_.scene.view.camera;
   state_.scene = std::move(scene);
+  ++edits_;
   forget_lost_picks(state_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ class SceneEditing {
   void make(const std::function<std::string(scene::Scene&)>& deed);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
+  /// Counts edits that are done, taken back or redone.
+  std::uint64_t edits() const { return edits_; }
   bool can_undo() const { return history_.can_undo(); }
   bool can_redo() const { return history_.can_redo(); }
   void undo();
@@ -73,6 +76,7 @@ class SceneEditing {
   ObjectEditor objects_;
   SceneHistory history_;
   bool is_last_noted_ = true;  // of what was begun last
+  std::uint64_t edits_ = 0;
 };
 
 }  // namespace offing::present

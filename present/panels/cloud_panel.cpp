@@ -165,11 +165,7 @@ Edit draw_cloud_panel(ViewState& state, LiveSea& sea) {
   CloudEditing& editing = state.clouds;
   if (!state.scene.has_clouds() && editing.tool == CloudTool::pick) return Edit::none;
   forget_lost_picks(state);
-  constexpr float margin = 8.0f;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x - margin, margin), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
-                                      ImVec2(screen.x, std::max(80.0f, screen.y - 2.0f * margin)));
+  state.layout.place_right();
   Edit edit = Edit::none;
   if (ImGui::Begin("Cloud editor", nullptr,
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
@@ -181,6 +177,7 @@ Edit draw_cloud_panel(ViewState& state, LiveSea& sea) {
     draw_costs(state, sea);
     ImGui::PopItemWidth();
   }
+  state.layout.end_right();
   ImGui::End();
   return edit;
 }

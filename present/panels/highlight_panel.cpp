@@ -71,23 +71,22 @@ Edit draw_key_buttons(ViewState& state, const DrawnHighlight& drawn) {
 Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>& meshes) {
   const DrawnHighlight* drawn = picked_highlight(state.scene, meshes, state.picked);
   if (drawn == nullptr) return Edit::none;
-  constexpr float margin = 8.0f;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x - margin, margin), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
-                                      ImVec2(screen.x, std::max(80.0f, screen.y - 2.0f * margin)));
+  state.layout.place_right();
   ImGui::Begin("Highlight", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
   const scene::MeshScene& mesh = state.scene.meshes[state.picked->mesh];
+  ImGui::PushTextWrapPos(24.0f * ImGui::GetFontSize());
   if (drawn->rule < 0) {
     ImGui::TextDisabled("of %s, found from the lights; an edit adds a [[mesh.highlight]] for it",
                         mesh.name.c_str());
   } else {
     ImGui::TextDisabled("of %s, by [[mesh.highlight]] %d", mesh.name.c_str(), drawn->rule + 1);
   }
+  ImGui::PopTextWrapPos();
   const Edit keys = draw_key_buttons(state, *drawn);
   const Edit edit = std::max(keys, draw_rows(state, *drawn));
   ImGui::PopItemWidth();
+  state.layout.end_right();
   ImGui::End();
   return edit;
 }

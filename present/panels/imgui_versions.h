@@ -32,6 +32,22 @@ inline void renew_font_texture() {
 #endif
 }
 
+/// Since 1.92 the height is one of the style, whatever the fonts were made for.
+inline void set_font_height([[maybe_unused]] float height_px) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::GetStyle().FontSizeBase = height_px;
+#endif
+}
+
+/// That a font was made for.
+inline float height_of(const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+  return font.LegacySize;
+#else
+  return font.FontSize;
+#endif
+}
+
 /// Whether the font has the letter itself, not only a sign in its place.
 inline bool has_glyph(ImFont& font, ImWchar letter) {
 #if IMGUI_VERSION_NUM < 19200
@@ -47,6 +63,16 @@ inline bool has_waiting_input() {
   return false;
 #else
   return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#endif
+}
+
+/// Whether a key has gone down since the last frame: before 1.87 keys are counted otherwise.
+inline bool is_pressed(ImGuiKey key) {
+  constexpr bool repeats = false;
+#if IMGUI_VERSION_NUM < 18700
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
+#else
+  return ImGui::IsKeyPressed(key, repeats);
 #endif
 }
 

@@ -84,11 +84,8 @@ void MiniMap::show(const world::TerrainParameters& terrain) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }
 
-std::optional<glm::dvec2> MiniMap::draw(const Camera& camera) const {
-  constexpr float margin = 8.0f;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x - margin, screen.y - margin), ImGuiCond_FirstUseEver,
-                          ImVec2(1.0f, 1.0f));
+std::optional<glm::dvec2> MiniMap::draw(const Camera& camera, PanelLayout& layout) const {
+  layout.place_low_right();
   ImGui::Begin("Map", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size(static_cast<float>(width_px_), static_cast<float>(height_px_));
@@ -115,6 +112,7 @@ std::optional<glm::dvec2> MiniMap::draw(const Camera& camera) const {
                          cone_colour);
   list.AddCircleFilled(eye, 3.5f, camera_colour);
   list.PopClipRect();
+  layout.end_low();
   ImGui::End();
   return clicked;
 }

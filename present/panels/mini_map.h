@@ -9,6 +9,7 @@
 #include "host/base/camera.h"
 #include "host/world/world_terrain.h"
 #include "present/gl/gl_objects.h"
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 
@@ -19,7 +20,7 @@ class MiniMap {
   void show(const world::TerrainParameters& terrain);
   /// Draws it as an ImGui window at the bottom right, with the camera; where on the ground it was clicked,
   /// east and south of the origin, if it was.
-  std::optional<glm::dvec2> draw(const Camera& camera) const;
+  std::optional<glm::dvec2> draw(const Camera& camera, PanelLayout& layout) const;
 
   /// Pixels [height][width][3] of the picture, row 0 in the north.
   static std::vector<unsigned char> shaded(const HeightMap& map, int width, int height);

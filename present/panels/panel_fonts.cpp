@@ -1,6 +1,7 @@
 #include "present/panels/panel_fonts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,10 +16,8 @@
 namespace offing::present {
 namespace {
 
-// ImGui's own font has these, and letters are of 16 bits in it.
+// The usual font has these, and letters are of 16 bits in ImGui.
 constexpr char32_t last_own = 0xFF, last_letter = 0xFFFF;
-// Its own font is of 13 pixels, which many strokes do not fit into.
-constexpr float height_px = 16.0f;
 
 template <auto destroy>
 struct Destroy {
@@ -39,9 +38,17 @@ std::vector<ImWchar> ranges_of(const std::set<char32_t>& letters) {
 }
 
 /// True if all of the fonts could be made; they are without glyphs otherwise.
-bool make_fonts(ImFontAtlas& atlas, const std::vector<SystemFont>& fonts) {
+bool make_fonts(ImFontAtlas& atlas, const std::optional<SystemFont>& usual,
+                const std::vector<SystemFont>& fonts, float height_px) {
   atlas.Clear();
-  atlas.AddFontDefault();
+  ImFontConfig first;
+  first.SizePixels = height_px;
+  if (usual) {
+    first.FontNo = usual->number;
+    if (atlas.AddFontFromFileTTF(usual->file.c_str(), height_px, &first) == nullptr) return false;
+  } else {
+    atlas.AddFontDefault(&first);
+  }
   std::vector<std::vector<ImWchar>> ranges;  // which ImGui reads until the end
   bool is_made = true;
   for (const SystemFont& font : fonts) {
@@ -86,6 +93,7 @@ std::optional<SystemFont> readable_font(FcPattern& font, const std::set<char32_t
 }  // namespace
 
 std::vector<SystemFont> fonts_for(std::set<char32_t> letters) {
+  if (letters.empty()) return {};
   const Owned<FcConfig, FcConfigDestroy> config(FcInitLoadConfigAndFonts());
   const Owned<FcPattern, FcPatternDestroy> wanted(FcPatternCreate());
   const Owned<FcCharSet, FcCharSetDestroy> charset(FcCharSetCreate());
@@ -108,6 +116,11 @@ std::vector<SystemFont> fonts_for(std::set<char32_t> letters) {
   return fonts;
 }
 
+void PanelFonts::set_height(float height_px) {
+  is_new_ = is_new_ || height_px != height_px_;
+  height_px_ = height_px;
+}
+
 void PanelFonts::need(std::string_view text) {
   const char* at = text.data();
   const char* end = at + text.size();
@@ -123,7 +136,14 @@ void PanelFonts::need(std::string_view text) {
 bool PanelFonts::update() {
   if (!std::exchange(is_new_, false)) return false;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  if (!make_fonts(atlas, fonts_for(needed_))) make_fonts(atlas, {});
+  if (!usual_) {
+    const std::vector<SystemFont> found = fonts_for({U'a'});
+    usual_ = found.empty() ? std::nullopt : std::optional(found.front());
+  }
+  const float height_px = std::round(height_px_);
+  if (!make_fonts(atlas, *usual_, fonts_for(needed_), height_px) &&
+      !make_fonts(atlas, *usual_, {}, height_px))
+    make_fonts(atlas, {}, {}, height_px);
   return true;
 }
 

@@ -1,5 +1,9 @@
 #include "present/panels/panel_layer.h"
 
+#include <algorithm>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 // The order matters: the backends build on imgui.h.
 #include <backends/imgui_impl_glfw.h>
@@ -9,12 +13,28 @@
 #include "present/panels/imgui_versions.h"
 
 namespace offing::present {
+namespace {
+
+constexpr float usual_text_px = 16.0f;
+
+/// How many of the window's units one of a usual monitor is.
+float monitor_scale(GLFWwindow* window) {
+  if (window == nullptr) return 1.0f;
+  float scale = 1.0f, ignored = 1.0f;
+  glfwGetWindowContentScale(window, &scale, &ignored);
+  // Some systems scale the window's units themselves.
+  int units = 0, pixels = 0;
+  glfwGetWindowSize(window, &units, nullptr);
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  if (units > 0 && pixels > 0) scale *= static_cast<float>(units) / static_cast<float>(pixels);
+  return std::clamp(scale, 0.5f, 4.0f);
+}
+
+}  // namespace
 
 PanelLayer::PanelLayer(GLFWwindow* window) : window_(window) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  ImGui::StyleColorsDark();
-  ImGui::GetStyle().WindowRounding = 4.0f;
   const bool has_events = window == nullptr || ImGui_ImplGlfw_InitForOpenGL(window, true);
   if (!has_events || !ImGui_ImplOpenGL3_Init("#version 330 core")) {
     throw Error(ErrorKind::device, "panels: they cannot be drawn with this OpenGL",
@@ -39,7 +59,17 @@ bool PanelLayer::is_in_use() const {
   return ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || has_waiting_input();
 }
 
+void PanelLayer::set_look(const Look& look) {
+  const float text_px = usual_text_px * look.text_scale * monitor_scale(window_);
+  if (look_ == look && text_px_ == text_px) return;
+  look_ = look;
+  text_px_ = text_px;
+  set_style(look.theme, text_px);
+  fonts_.set_height(text_px);
+}
+
 void PanelLayer::begin() {
+  if (!look_) set_look({});
   ImGui_ImplOpenGL3_NewFrame();
   if (fonts_.update()) renew_font_texture();
   if (window_ != nullptr) ImGui_ImplGlfw_NewFrame();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
+#include "present/panels/look.h"
 #include "present/panels/panel_fonts.h"
 
 struct GLFWwindow;
@@ -24,6 +26,8 @@ class PanelLayer {
   bool close_popups();
   /// Whether an item is held or takes text, which panels then have to follow without input too.
   bool is_in_use() const;
+  /// Letters and colours of the frames from here on.
+  void set_look(const Look& look);
   void begin();
   /// Draws the panels onto the bound framebuffer.
   void end();
@@ -33,6 +37,8 @@ class PanelLayer {
  private:
   GLFWwindow* window_;
   PanelFonts fonts_;
+  std::optional<Look> look_;
+  float text_px_ = 0.0f;
 };
 
 }  // namespace offing::present

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,16 +17,15 @@
 #include "present/panels/bookmark_panel.h"
 #include "present/panels/outliner.h"
 #include "present/panels/scene_list_panel.h"
+#include "present/panels/sun_dial.h"
 #include "present/panels/time_graph.h"
+#include "present/panels/value_search.h"
 #include "present/window/key_bindings.h"
 
 namespace offing::present {
 namespace {
 
 using scene::ParameterGroup;
-
-constexpr float margin = 8.0f;  // between panels and the window's edge, px
-constexpr ImU32 fault_colour = IM_COL32(255, 115, 90, 255);
 
 /// The group's rows by section, otherwise in the table's order.
 std::vector<const scene::Parameter*> rows_of(ParameterGroup group) {
@@ -49,15 +49,33 @@ void note(Edit edit, const GroupPanel& panel, ViewState& state, PanelEdits& edit
   }
 }
 
+/// The last word of a section's name, with the number of an element; the key is in the tooltip.
+void draw_section(std::string_view section, std::size_t number = 0) {
+  std::string words(scene::name_of(section));
+  std::ranges::replace(words, '_', ' ');
+  if (number > 0) words += fmt::format(" {}", number);
+  ImGui::TextDisabled("%s", words.c_str());
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetTooltip(number > 0 ? "[[%s]]" : "[%s]", std::string(section).c_str());
+}
+
 void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows, ViewState& state,
                PanelEdits& edits) {
   std::string_view section;
   for (const scene::Parameter* row : rows) {
     if (scene::section_of(row->key) != section) {
       section = scene::section_of(row->key);
-      ImGui::TextDisabled(row->max_count > 1 ? "[[%s]]" : "[%s]", std::string(section).c_str());
+      // A title alone would repeat that of the panel.
+      if (scene::section_of(rows.front()->key) != scene::section_of(rows.back()->key)) draw_section(section);
     }
     note(parameter_widget(state.scene, *row, state.edit), panel, state, edits);
+  }
+}
+
+void draw_values(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows,
+                 scene::ElementIndex element, ViewState& state, PanelEdits& edits) {
+  for (const scene::Parameter* row : rows) {
+    note(parameter_widget(state.scene, *row, state.edit, element), panel, state, edits);
   }
 }
 
@@ -68,12 +86,10 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
   const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, *first.section);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    ImGui::TextDisabled("[[%s]] %zu", std::string(scene::section_of(first.key)).c_str(), i + 1);
+    draw_section(scene::section_of(first.key), i + 1);
     ImGui::SameLine();
     const bool is_removed = ImGui::SmallButton("remove");
-    for (const scene::Parameter* row : rows) {
-      note(parameter_widget(state.scene, *row, state.edit, elements[i]), panel, state, edits);
-    }
+    draw_values(panel, rows, elements[i], state, edits);
     ImGui::PopID();
     if (!is_removed) continue;
     scene::remove_element(state.scene, *first.section, elements[i]);
@@ -88,22 +104,39 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
   ImGui::EndDisabled();
 }
 
-/// The presets of a group, to choose from.
+/// What a group's values can come from, if it is a file of its own.
+void draw_file_choice(ParameterGroup group, PanelEdits& edits) {
+  const auto choice = [&](const char* label, FileFilter filter) {
+    if (ImGui::Button(label)) edits.wanted_file = filter;
+  };
+  if (group == ParameterGroup::mesh) choice("add from a file ...", FileFilter::meshes);
+  if (group == ParameterGroup::cloud) choice("add from a file ...", FileFilter::clouds);
+  if (group == ParameterGroup::height_map) choice("choose a map ...", FileFilter::height_maps);
+  if (group == ParameterGroup::sea) choice("choose a measured spectrum ...", FileFilter::spectra);
+}
+
+/// The presets of a group, a button each, with the last word of its name.
 void draw_presets(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
+  if (panel.group == ParameterGroup::sun) note(draw_sun_presets(state.scene), panel, state, edits);
   const auto is_of_group = [&](const scene::Preset& preset) { return preset.group == panel.group; };
   if (std::ranges::none_of(scene::presets(), is_of_group)) return;
-  if (!ImGui::BeginCombo("preset", "choose")) return;
+  ImGui::TextUnformatted("Beaufort");
   for (const scene::Preset& preset : scene::presets()) {
-    if (!is_of_group(preset) || !ImGui::Selectable(std::string(preset.label).c_str())) continue;
-    scene::apply(preset, state.scene);
-    note(Edit::done, panel, state, edits);
+    if (!is_of_group(preset)) continue;
+    const std::string label(preset.name.substr(preset.name.rfind('-') + 1));
+    stay_in_line(label.c_str());
+    if (ImGui::SmallButton(fmt::format("{}##{}", label, preset.name).c_str())) {
+      scene::apply(preset, state.scene);
+      note(Edit::done, panel, state, edits);
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.label).c_str());
   }
-  ImGui::EndCombo();
 }
 
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
   if (panel.group == ParameterGroup::bookmark) return draw_bookmarks(state, edits);
+  draw_file_choice(panel.group, edits);
   draw_presets(panel, state, edits);
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
   if (rows.front()->section->is_repeated()) {
@@ -151,6 +184,36 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
   }
 }
 
+/// The field to search in, and what it finds.
+void draw_search(ViewState& state, PanelEdits& edits) {
+  if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
+  if (state.search.empty()) return;
+  bool has_any = false;
+  for (const GroupPanel& panel : group_panels()) {
+    if (!is_in(state.scene, panel.group)) continue;
+    std::vector<const scene::Parameter*> rows = rows_of(panel.group);
+    std::erase_if(rows,
+                  [&](const scene::Parameter* row) { return !is_found(state.search, panel.title, *row); });
+    if (rows.empty()) continue;
+    has_any = true;
+    if (!rows.front()->section->is_repeated()) {
+      ImGui::TextDisabled("%s", panel.title);
+      draw_values(panel, rows, {}, state, edits);
+      continue;
+    }
+    const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, *rows.front()->section);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      ImGui::TextDisabled("%s %zu", panel.title, i + 1);
+      draw_values(panel, rows, elements[i], state, edits);
+      ImGui::PopID();
+    }
+  }
+  if (!has_any) ImGui::TextDisabled("no value has this name");
+}
+
 void draw_clock(ViewState& state) {
   const double frame_s = 1.0 / state.scene.time.frames_per_second;
   if (ImGui::Button(state.clock.is_paused() ? "run##clock" : "pause##clock")) state.clock.toggle_pause();
@@ -194,6 +257,23 @@ void choose(const char* label, const std::array<Show, count>& all, Show& shown) 
   ImGui::EndCombo();
 }
 
+void choose_look(Look& look) {
+  const auto theme = static_cast<std::size_t>(look.theme);
+  if (ImGui::BeginCombo("theme", theme_names[theme])) {
+    for (std::size_t i = 0; i < theme_names.size(); ++i) {
+      if (ImGui::Selectable(theme_names[i], i == theme)) look.theme = static_cast<Theme>(i);
+    }
+    ImGui::EndCombo();
+  }
+  // A list, as letters that grow under the mouse would move a slider.
+  const auto shown = [](float scale) { return fmt::format("{:.0f} %", 100.0f * scale); };
+  if (!ImGui::BeginCombo("text size", shown(look.text_scale).c_str())) return;
+  for (const float scale : text_scales) {
+    if (ImGui::Selectable(shown(scale).c_str(), scale == look.text_scale)) look.text_scale = scale;
+  }
+  ImGui::EndCombo();
+}
+
 void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
   if (facts.terrain) draw_terrain_view(state);
@@ -213,18 +293,29 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
                         100.0 / (1 << now.cloud_halvings));
   }
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  choose_look(state.look);
   ImGui::SliderFloat("most frames/s", &state.frame_limit_hz, 0.0f, 240.0f,
                      state.frame_limit_hz > 0.0f ? "%.0f" : "no limit", ImGuiSliderFlags_AlwaysClamp);
 }
 
-void draw_file(ViewState& state, PanelEdits& edits) {
-  if (!ImGui::CollapsingHeader("Scene file")) return;
-  ImGui::InputText("name", &state.save_name);
-  edits.wants_save = ImGui::Button("save scene as");
+/// A button for what a key does.
+void draw_action(const char* label, const char* key, ViewAction action, PanelEdits& edits) {
+  if (ImGui::Button(label)) edits.action = action;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key);
+}
+
+void draw_file(PanelEdits& edits) {
+  draw_action("new", "Ctrl N", ViewAction::new_scene, edits);
   ImGui::SameLine();
-  bool is_overwriting = state.existing == Existing::replace;
-  ImGui::Checkbox("overwrite", &is_overwriting);
-  state.existing = is_overwriting ? Existing::replace : Existing::keep;
+  draw_action("open ...", "Ctrl O", ViewAction::open_file, edits);
+  ImGui::SameLine();
+  draw_action("save", "Ctrl S", ViewAction::save, edits);
+  ImGui::SameLine();
+  draw_action("save as ...", "Ctrl Shift S", ViewAction::save_as, edits);
+  draw_action("undo", "Ctrl Z", ViewAction::undo, edits);
+  ImGui::SameLine();
+  draw_action("redo", "Ctrl Y", ViewAction::redo, edits);
+  ImGui::SameLine();
   edits.wants_original = ImGui::Button("undo all edits");
 }
 
@@ -249,70 +340,75 @@ void draw_times(ViewState& state, const ViewFacts& facts) {
 void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
   // What flies is what the camera's panel edits.
   state.scene.view.camera = state.camera.camera();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = 27.0f * ImGui::GetFontSize();
-  ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));  // as high as what is open, up to the window's height
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 40.0f),
-                                      ImVec2(width, std::max(80.0f, screen.y - 2.0f * margin)));
-  ImGui::Begin("Offing", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize);
-  ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+  state.layout.place_main(state.look.panel_em);
+  ImGui::Begin("Offing", nullptr,
+               ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  ImGui::PushItemWidth(item_share * ImGui::GetContentRegionAvail().x);
+  ImGui::PushTextWrapPos();
+  draw_file(edits);
   draw_clock(state);
+  draw_search(state, edits);
   draw_outliner(state, edits);
   draw_view(state, facts);
   for (const GroupPanel& panel : group_panels()) {
-    if (is_in(state.scene, panel.group) && is_shown_with_selection(state, panel.group))
-      draw_group(panel, state, edits);
+    const bool is_shown = state.search.empty() && is_shown_with_selection(state, panel.group);
+    if (is_shown && is_in(state.scene, panel.group)) draw_group(panel, state, edits);
   }
   if (facts.scenes != nullptr) edits.wanted_scene = draw_scene_list(*facts.scenes, facts.open_scene);
-  draw_file(state, edits);
   draw_times(state, facts);
+  ImGui::PopTextWrapPos();
   ImGui::PopItemWidth();
   ImGui::TextDisabled("H: keys; Tab: without panels");
   ImGui::End();
+  state.look.panel_em = state.layout.draw_main_edge(state.look.panel_em);
   state.camera.camera() = state.scene.view.camera;
 }
 
-void draw_help() {
-  ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - margin, margin), ImGuiCond_FirstUseEver,
-                          ImVec2(1.0f, 0.0f));
+void draw_help(PanelLayout& layout) {
+  layout.place_right();
   ImGui::Begin(
       "Keys", nullptr,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
-  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+  constexpr float usual_em = 44.0f;
+  const float room =
+      layout.right_width() - 2.0f * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
+  const float width = std::min(usual_em * ImGui::GetFontSize(), room);
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_None, ImVec2(width, 0.0f))) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthStretch);
     const auto row = [](const char* name, const char* help) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(name);
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(help);
+      ImGui::TextWrapped("%s", help);
     };
     for (const CameraControl& control : camera_controls()) row(control.name, control.help);
     for (const KeyBinding& binding : key_bindings()) row(binding.name, binding.help);
     row("Ctrl click", "on a slider: type its value");
     ImGui::EndTable();
   }
+  layout.end_right();
   ImGui::End();
 }
 
-void draw_terrain_layers(const ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+void draw_terrain_layers(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
   if (state.pick) draw_ray_overlay(*state.pick, *facts.terrain, state.camera.camera());
-  if (state.terrain == TerrainShow::steps) draw_step_legend();
-  if (state.shows_map && facts.map) edits.wanted_place = facts.map->draw(state.camera.camera());
+  if (state.terrain == TerrainShow::steps) draw_step_legend(state.layout);
+  if (state.shows_map && facts.map) edits.wanted_place = facts.map->draw(state.camera.camera(), state.layout);
 }
 
-void draw_message(Message& message) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.0f, screen.y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(screen.x, 0.5f * screen.y));
+void draw_message(Message& message, PanelLayout& layout) {
+  layout.place_message();
   ImGui::Begin("Message", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   const bool is_dismissed = ImGui::SmallButton("dismiss");
-  ImGui::PushTextWrapPos(screen.x - 2.0f * ImGui::GetFontSize());
-  ImGui::PushStyleColor(ImGuiCol_Text, message.is_fault ? fault_colour : ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 2.0f * ImGui::GetFontSize());
+  ImGui::PushStyleColor(ImGuiCol_Text, message.is_fault ? fault_colour() : ImGui::GetColorU32(ImGuiCol_Text));
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
+  layout.end_message();
   ImGui::End();
   if (is_dismissed) message = {};
 }
@@ -360,10 +456,11 @@ Message fault_message(const Error& error) {
 
 PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
+  state.layout.begin();
   if (state.shows_panels) draw_main_panel(state, facts, edits);
-  if (state.shows_help) draw_help();
+  if (state.shows_help) draw_help(state.layout);
   if (facts.terrain) draw_terrain_layers(state, facts, edits);
-  if (!state.message.text.empty()) draw_message(state.message);
+  if (!state.message.text.empty()) draw_message(state.message, state.layout);
   return edits;
 }
 

@@ -15,14 +15,18 @@
 #include "present/editing/mesh_picker.h"
 #include "present/editing/objects/object_deed.h"
 #include "present/editing/terrain_pick.h"
+#include "present/files/file_browser.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/stage_times.h"
 #include "present/gl/transfer.h"
+#include "present/panels/look.h"
 #include "present/panels/mini_map.h"
+#include "present/panels/panel_layout.h"
 #include "present/panels/parameter_widget.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/quality.h"
 #include "present/window/free_camera.h"
+#include "present/window/key_bindings.h"
 #include "present/window/scene_clock.h"
 #include "present/window/scene_list.h"
 
@@ -47,6 +51,9 @@ std::span<const GroupPanel> group_panels();
 enum class RayChoice { all, three_quarters, half, quarter };
 inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
 
+/// Of the main panel's width, for what a value is changed with; its name is beside it.
+inline constexpr float item_share = 0.45f;
+
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {
   scene::Scene scene;  ///< as edited; its view's camera is the one that flies
@@ -69,10 +76,12 @@ struct ViewState {
   bool shows_help = false;
   bool shows_map = false;
   TimeSource shown_times = TimeSource::cpu;
-  std::string save_name = {};  ///< file that the edited scene is to be saved as
-  Existing existing = Existing::keep;
+  std::string search = {};  ///< for values; empty: all are shown, by sections
+  bool begins_search = false;
   EditInProgress edit = {};
   Message message = {};
+  Look look = {};
+  PanelLayout layout = {};
 };
 
 /// What the panels only show.
@@ -94,7 +103,8 @@ struct ViewFacts {
 struct PanelEdits {
   Edit scene = Edit::none;  ///< of all but the camera
   bool is_camera_moved = false;
-  bool wants_save = false;
+  std::optional<ViewAction> action = {};         ///< of a key, by a button
+  std::optional<FileFilter> wanted_file = {};    ///< to be chosen in a dialog
   bool wants_original = false;                   ///< the scene as it was when the window opened
   std::optional<ObjectDeed> object = {};         ///< for objects of the scene
   std::optional<ListedScene> wanted_scene = {};  ///< to be opened

@@ -1,6 +1,8 @@
 #include "present/panels/parameter_widget.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -38,6 +40,19 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
   }
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
                              is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+}
+
+// IEC 61966-2-1, continued above 1.
+glm::dvec3 srgb_of(const glm::dvec3& linear) {
+  const auto curve = [](double x) {
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+  };
+  return {curve(linear.x), curve(linear.y), curve(linear.z)};
+}
+
+glm::dvec3 linear_of(const glm::dvec3& srgb) {
+  const auto curve = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+  return {curve(srgb.x), curve(srgb.y), curve(srgb.z)};
 }
 
 /// One kind of widget for each alternative of scene::Storage.
@@ -154,7 +169,7 @@ class Widget {
     }
     if (is_set) return draw(*at);
     at.reset();
-    ImGui::TextDisabled("%s", std::string(scene::name_of(row_.key)).c_str());
+    ImGui::TextDisabled("%s", words_of(row_).c_str());
     return was_set ? Edit::done : Edit::none;
   }
 
@@ -165,6 +180,7 @@ class Widget {
   }
 
   Edit triple(const glm::dvec3& at) {
+    const Edit picked = is_colour() ? colour_button(at) : Edit::none;
     glm::dvec3 value = at / row_.scale;
     constexpr double finest = 0.01, share = 1e-3;
     const double across = row_.high - row_.low;
@@ -174,8 +190,35 @@ class Widget {
     const bool is_changed =
         ImGui::DragScalarN(label_.c_str(), ImGuiDataType_Double, &value.x, 3, static_cast<float>(speed),
                            &row_.low, &row_.high, format_of(row_).c_str());
-    return stored(is_changed, {.value = std::vector<double>{value.x, value.y, value.z},
-                               .shown = fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z)});
+    return std::max(picked, stored(is_changed, written(value)));
+  }
+
+  static WrittenValue written(const glm::dvec3& value) {
+    return {.value = std::vector<double>{value.x, value.y, value.z},
+            .shown = fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z)};
+  }
+
+  bool is_colour() const { return row_.unit.empty() && scene::name_of(row_.key).ends_with("colour"); }
+
+  /// A button of the colour, which opens a picker. The picker shows sRGB, the value is linear.
+  Edit colour_button(const glm::dvec3& at) {
+    const glm::vec3 before(srgb_of(at));
+    glm::vec3 picked = before;
+    ImGuiColorEditFlags flags =
+        ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float;
+    if (row_.high > 1.0) flags |= ImGuiColorEditFlags_HDR;
+    const bool is_changed = ImGui::ColorEdit3(fmt::format("##pick {}", row_.key).c_str(), &picked.x, flags);
+    glm::dvec3 value = at;
+    // What was not moved keeps all its digits.
+    for (int i = 0; i < 3; ++i) {
+      if (picked[i] != before[i])
+        value[i] = std::clamp(linear_of(glm::dvec3(picked))[i], row_.low, row_.high);
+    }
+    const Edit edit = stored(is_changed, written(value));
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    const float taken = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::CalcItemWidth() - taken));
+    return edit;
   }
 
   /// Stores the value of the last item, if it changed.
@@ -240,16 +283,83 @@ bool is_text(const Parameter& row) {
          std::holds_alternative<scene::ValueAt<std::vector<double>>>(row.storage);
 }
 
+/// The end of a key that says the unit, as those of the table are written.
+std::string_view ending_of(std::string_view unit) {
+  struct Ending {
+    std::string_view unit, ending;
+  };
+  static constexpr auto endings = std::to_array<Ending>({{"m", "_m"},
+                                                         {"s", "_s"},
+                                                         {"deg", "_deg"},
+                                                         {"m/s", "_mps"},
+                                                         {"Hz", "_hz"},
+                                                         {"m/s^2", "_mps2"},
+                                                         {"1/m", "_per_m"},
+                                                         {"1/s", "_per_s"},
+                                                         {"kg", "_kg"},
+                                                         {"kg/m3", "_kgpm3"},
+                                                         {"N", "_n"},
+                                                         {"N/m", "_npm"},
+                                                         {"K", "_k"},
+                                                         {"Pa", "_pa"},
+                                                         {"DU", "_du"},
+                                                         {"klx", "_klx"},
+                                                         {"um", "_um"},
+                                                         {"MiB", "_mb"},
+                                                         {"m2", "_m2"},
+                                                         {"1/(m2 s)", "_per_m2s"},
+                                                         {"deg/s", "_deg_per_s"}});
+  const auto found = std::ranges::find(endings, unit, &Ending::unit);
+  return found == endings.end() ? std::string_view() : found->ending;
+}
+
+/// What a part of a key stands for, where that is no word.
+std::string_view word_for(std::string_view part) {
+  struct Word {
+    std::string_view part, word;
+  };
+  static constexpr auto words = std::to_array<Word>({{"hs", "wave height"},
+                                                     {"tp", "peak period"},
+                                                     {"tz", "zero-crossing period"},
+                                                     {"fov", "field of view"},
+                                                     {"fps", "frames per second"},
+                                                     {"ev", "(EV)"},
+                                                     {"utc", "(UTC)"},
+                                                     {"px", "(pixels)"},
+                                                     {"min", "least"},
+                                                     {"nodata", "no-data value"},
+                                                     {"g", "asymmetry"},
+                                                     {"x", "x (east)"},
+                                                     {"y", "y (up)"},
+                                                     {"z", "z (south)"}});
+  const auto found = std::ranges::find(words, part, &Word::part);
+  return found == words.end() ? part : found->word;
+}
+
 }  // namespace
 
+std::string words_of(const Parameter& row) {
+  std::string_view name = scene::name_of(row.key);
+  const std::string_view ending = ending_of(row.unit);
+  if (!ending.empty() && name.ends_with(ending)) name.remove_suffix(ending.size());
+  std::string words;
+  while (!name.empty()) {
+    const std::string_view part = name.substr(0, name.find('_'));
+    name.remove_prefix(std::min(part.size() + 1, name.size()));
+    if (!words.empty()) words += ' ';
+    words += word_for(part);
+  }
+  return row.unit == "m2" ? words + " area" : words;
+}
+
 std::string parameter_label(const Parameter& row) {
-  return fmt::format("{}##{}", scene::name_of(row.key), row.key);
+  return fmt::format("{}##{}", words_of(row), row.key);
 }
 
 Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element) {
   const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
   if (ImGui::IsItemHovered()) {
-    std::string text(row.help);
+    std::string text = fmt::format("{}\nin scene files: {}", row.help, row.key);
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
     if (scene.tracks.contains({row.key, element})) text += "\nhas keyframes, which an edit removes";
     if (is_text(row)) text += "\npress Enter to apply the text";

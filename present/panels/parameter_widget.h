@@ -25,7 +25,9 @@ struct EditInProgress {
   std::string fault = {};  ///< why the last value was refused; empty if it was taken
 };
 
-/// The text beside a row's widget, which ImGui knows it by: its key, without the section where it is shown.
+/// A row's name in words, without its unit: "direction" of `wind.direction_deg`.
+std::string words_of(const scene::Parameter& row);
+/// The text beside a row's widget, and behind ## the key that ImGui knows it by.
 std::string parameter_label(const scene::Parameter& row);
 
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and

@@ -11,7 +11,6 @@ namespace offing::present {
 void for_shown_names(const ViewState& state, const SceneList& scenes,
                      const std::function<void(std::string_view)>& tell) {
   tell(state.message.text);
-  tell(state.save_name);
   if (state.renaming) tell(state.renaming->text);
   tell(scenes.folder().string());
   for (const ListedScene& scene : scenes.beside()) tell(scene.name);

@@ -1,11 +1,14 @@
 #include "present/panels/sun_dial.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 #include <imgui.h>
+
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 namespace {
@@ -79,6 +82,30 @@ void set_hour(scene::Scene& scene, double hour) {
   midnight.hour = midnight.minute = midnight.second = 0;
   const int second = std::clamp(static_cast<int>(std::lround(3600.0 * hour)), 0, seconds_of_day - 1);
   scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
+}
+
+Edit draw_sun_presets(scene::Scene& scene) {
+  struct Hour {
+    const char* label;
+    double azimuth_deg, elevation_deg;
+  };
+  // Solar hours 4, 8, 12, 16, 19 and 20 at 45 degrees north, with the sun's declination of June 21, 23.44
+  // degrees: sin h = sin p sin d + cos p cos d cos H.
+  static constexpr std::array<Hour, 6> hours{{{"dawn", 52.7, -2.5},
+                                              {"morning", 93.1, 37.3},
+                                              {"noon", 180.0, 68.4},
+                                              {"afternoon", 266.9, 37.3},
+                                              {"evening", 296.9, 6.5},
+                                              {"dusk", 307.3, -2.5}}};
+  Edit edit = Edit::none;
+  for (const Hour& hour : hours) {
+    if (&hour != hours.data()) stay_in_line(hour.label);
+    if (!ImGui::SmallButton(hour.label)) continue;
+    constexpr double degree_rad = std::numbers::pi / 180.0;
+    place_sun(scene, {hour.azimuth_deg * degree_rad, hour.elevation_deg * degree_rad});
+    edit = Edit::done;
+  }
+  return edit;
 }
 
 Edit draw_sun_dial(scene::Scene& scene, const sky::SunAngles& now) {

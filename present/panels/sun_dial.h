@@ -22,6 +22,10 @@ void place_sun(scene::Scene& scene, const sky::SunAngles& sun);
 /// the stead of its keyframes.
 void set_hour(scene::Scene& scene, double hour);
 
+/// Draws a button for each of some hours, which puts the sun where it then is on a summer day in middle
+/// latitudes.
+Edit draw_sun_presets(scene::Scene& scene);
+
 /// Draws the dial, whose knob the mouse drags, and a slider for the hour of the day, which moves the sun as
 /// the Earth turns, seen from the scene's latitude. `now` is where it stands.
 Edit draw_sun_dial(scene::Scene& scene, const sky::SunAngles& now);

@@ -103,6 +103,14 @@ std::string take_spectrum(scene::Scene& scene, const std::filesystem::path& file
 
 }  // namespace
 
+bool may_be(const std::filesystem::path& file, DroppedKind kind) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".ply") return kind == DroppedKind::mesh || kind == DroppedKind::cloud;
+  const auto* known = std::ranges::find(known_names, std::string_view(extension), &KnownName::extension);
+  if (known != known_names.end() && known->kind == kind) return true;
+  return kind == DroppedKind::height_map && is_tile_store(file);
+}
+
 DroppedKind kind_of_dropped(const std::filesystem::path& file) {
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown)) {

@@ -12,6 +12,10 @@ namespace offing::present {
 /// What a file can be that is dropped on a window.
 enum class DroppedKind { scene, mesh, height_map, spectrum, cloud };
 
+/// Whether a file may be of a kind, as far as its name tells: a .ply may be a mesh or a cloud, a folder that
+/// is a tile store holds heights.
+bool may_be(const std::filesystem::path& file, DroppedKind kind);
+
 /// By its name, and of a .ply by its header: one of particles is a cloud. A folder is a tile store. Throws
 /// Error(bad_input) for a file that is none of these, or not there.
 DroppedKind kind_of_dropped(const std::filesystem::path& file);

@@ -11,8 +11,16 @@
 namespace offing::present {
 
 void FileIntake::open(const ListedScene& scene) {
-  const std::filesystem::path file = scene.is_shipped() ? std::filesystem::path(scene.name) : scene.file;
-  files_.add({{.file = file, .is_shipped = scene.is_shipped()}});
+  if (!scene.is_shipped()) return open_file(scene.file);
+  files_.add({{.file = scene.name, .source = FileSource::shipped}});
+}
+
+void FileIntake::open_file(const std::filesystem::path& file) {
+  files_.add({{.file = file, .source = FileSource::chosen}});
+}
+
+void FileIntake::open_new() {
+  files_.add({{.file = "a new scene", .source = FileSource::new_scene}});
 }
 
 bool FileIntake::turn(const std::vector<std::filesystem::path>& dropped, const Screen& screen,
@@ -32,7 +40,8 @@ bool FileIntake::turn(const std::vector<std::filesystem::path>& dropped, const S
 
 bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::dvec2 pointer) {
   const std::filesystem::path& file = waiting.file;
-  const DroppedKind kind = waiting.is_shipped ? DroppedKind::scene : kind_of_dropped(file);
+  const bool is_file = waiting.source == FileSource::dropped || waiting.source == FileSource::chosen;
+  const DroppedKind kind = is_file ? kind_of_dropped(file) : DroppedKind::scene;
   if (options_.recording) {
     throw Error(
         ErrorKind::bad_usage,
@@ -40,12 +49,19 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
         "drop it on a window that does not record");
   }
   if (kind == DroppedKind::scene) {
-    scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file, options_.trust));
+    if (waiting.source == FileSource::new_scene) {
+      scenes_.open({});
+    } else {
+      scenes_.open(is_file ? open_scene(file, options_.trust) : shipped_scene(file.string()));
+    }
+    if (is_file) recent_.add(file);
     return true;
   }
+  const glm::dvec2 place = waiting.source == FileSource::dropped ? pointer : glm::dvec2(0.0);
   const bool has_place = kind == DroppedKind::mesh;
-  const glm::dvec3 place_m = has_place ? pointed_place(sea_, screen, pointer) : glm::dvec3(0.0);
+  const glm::dvec3 place_m = has_place ? pointed_place(sea_, screen, place) : glm::dvec3(0.0);
   editing_.make([&](scene::Scene& scene) { return add_dropped(scene, file, kind, place_m); });
+  if (!state_.message.is_fault) recent_.add(file);
   return false;
 }
 

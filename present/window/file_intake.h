@@ -5,6 +5,7 @@
 
 #include "present/editing/handle_geometry.h"
 #include "present/editing/scene_editing.h"
+#include "present/files/recent_files.h"
 #include "present/passes/live_sea.h"
 #include "present/view_options.h"
 #include "present/window/file_queue.h"
@@ -18,11 +19,15 @@ namespace offing::present {
 class FileIntake {
  public:
   FileIntake(const ViewOptions& options, LiveSea& sea, ViewState& state, SceneEditing& editing,
-             SceneSwitch& scenes)
-      : options_(options), sea_(sea), state_(state), editing_(editing), scenes_(scenes) {}
+             SceneSwitch& scenes, RecentFiles& recent)
+      : options_(options), sea_(sea), state_(state), editing_(editing), scenes_(scenes), recent_(recent) {}
 
-  /// Opens it as soon as the files before it have been taken in.
+  // Each waits until the files before it have been taken in.
   void open(const ListedScene& scene);
+  /// As a dropped file, but for the place of a mesh: in the middle of the view.
+  void open_file(const std::filesystem::path& file);
+  /// A scene as a file without any values has it.
+  void open_new();
   /// Takes in the next file, once a frame; true if another scene is shown from here on. Meshes are put where
   /// the pointer is, in clip coordinates.
   bool turn(const std::vector<std::filesystem::path>& dropped, const Screen& screen, glm::dvec2 pointer);
@@ -37,6 +42,7 @@ class FileIntake {
   ViewState& state_;
   SceneEditing& editing_;
   SceneSwitch& scenes_;
+  RecentFiles& recent_;
   FileQueue files_;
 };
 

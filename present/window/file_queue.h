@@ -9,10 +9,17 @@
 
 namespace offing::present {
 
-/// A file that was dropped, or chosen from the list of scenes.
+/// Where a file comes from that is to be read.
+enum class FileSource {
+  dropped,
+  chosen,     ///< from a dialog or a list
+  shipped,    ///< a scene that comes with the program
+  new_scene,  ///< there is no file
+};
+
 struct WaitingFile {
   std::filesystem::path file;  ///< of a scene that comes with the program its name
-  bool is_shipped = false;
+  FileSource source = FileSource::dropped;
 };
 
 /// Files that wait to be read, one a frame: the message line of the frame before says which, as reading can

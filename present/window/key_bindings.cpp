@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 33> bindings{{
+  static constexpr std::array<KeyBinding, 38> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -40,10 +40,17 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_DELETE, "Delete", remove_picked, "delete what is selected"},
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
+      {GLFW_KEY_Y, "Ctrl Y", redo, "redo it", GLFW_MOD_CONTROL},
       {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "go to that bookmark of the scene", 0, 9},
       {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "set that bookmark, or a new one, to this view",
        GLFW_MOD_CONTROL, 9},
+      {GLFW_KEY_F, "Ctrl F", search, "search all values by their names", GLFW_MOD_CONTROL},
+      {GLFW_KEY_N, "Ctrl N", new_scene, "begin a new scene", GLFW_MOD_CONTROL},
+      {GLFW_KEY_O, "Ctrl O", open_file, "open a scene, or add a mesh, a map, a spectrum or a cloud",
+       GLFW_MOD_CONTROL},
       {GLFW_KEY_S, "Ctrl S", save, "save the scene", GLFW_MOD_CONTROL},
+      {GLFW_KEY_S, "Ctrl Shift S", save_as, "save the scene under another name",
+       GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_ESCAPE, "Esc", deselect, "close lists and dialogs; else deselect"},
       {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first if there are unsaved edits", GLFW_MOD_CONTROL},
   }};

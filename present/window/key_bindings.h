@@ -36,7 +36,11 @@ enum class ViewAction {
   redo,
   go_to_bookmark,
   set_bookmark,
+  search,
+  new_scene,
+  open_file,
   save,
+  save_as,
   deselect,
   quit,
 };

@@ -75,7 +75,7 @@ std::filesystem::path SavedScene::save(const scene::Scene& scene, const std::fil
   if (file_.empty()) return write(scene, {}, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
     throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
-                "save under another name, in the panel \"Scene file\"");
+                "Ctrl Shift S saves under another name");
   }
   const std::filesystem::path folder = file_.parent_path();
   const std::optional<std::string> edited = scene::edited_scene_text(text_, folder, scene, folder);
@@ -132,8 +132,6 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::Scene& shown, dou
   state_.picked.reset();
   state_.renaming.reset();
   state_.clouds = {};
-  state_.save_name = start.save_name;
-  state_.existing = start.existing;
   state_.edit = {};
 }
 
@@ -145,10 +143,11 @@ void SceneSwitch::open(OpenedScene opened) {
   editing_.begin_anew(SceneHistory(options_.scene));
   saved_ = SavedScene(options_.scene_file, state_.scene);
   const std::string before = shown_name(left.opened.name);
+  const std::string now = opened.name.empty() ? "a new scene" : opened.name;
   state_.message = {
-      .text = is_unsaved ? fmt::format("opened {}; edits of {} are not saved: Ctrl Z goes back to them",
-                                       opened.name, before)
-                         : fmt::format("opened {}; Ctrl Z goes back to {}", opened.name, before)};
+      .text = is_unsaved
+                  ? fmt::format("opened {}; edits of {} are not saved: Ctrl Z goes back to them", now, before)
+                  : fmt::format("opened {}; Ctrl Z goes back to {}", now, before)};
   if (!sea_.warning().empty()) state_.message.text += '\n' + sea_.warning();
   // Scenes that undo() has left may have edits that are not saved: they come before this one too.
   before_.insert(before_.end(), std::make_move_iterator(after_.begin()),
@@ -173,6 +172,26 @@ void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
   to.push_back(std::move(left));
 }
 
+/// The scene is in this file from here on.
+std::filesystem::path SceneSwitch::note(std::filesystem::path file) {
+  options_.scene_name = file.stem().string();
+  options_.scene_file = file;
+  ++saves_;
+  return file;
+}
+
+std::filesystem::path SceneSwitch::first_name() const {
+  return options_.scene_file.parent_path() / first_save_name(options_.scene_name);
+}
+
+std::filesystem::path SceneSwitch::save() {
+  return note(saved_.save(state_.scene, first_name(), Existing::keep));
+}
+
+std::filesystem::path SceneSwitch::save_as(const std::filesystem::path& file, Existing existing) {
+  return note(saved_.save_as(state_.scene, file, existing));
+}
+
 std::vector<std::string> SceneSwitch::unsaved() const {
   std::vector<std::string> names;
   const auto look = [&](const SavedScene& saved, const scene::Scene& scene, const std::string& name) {
@@ -190,7 +209,8 @@ void SceneSwitch::save_all() {
   for (std::vector<Left>* scenes : {&before_, &after_}) {
     for (Left& left : *scenes) {
       if (!left.saved.differs_from(left.shown)) continue;
-      left.saved.save(left.shown, first_save_name(left.opened.name), Existing::keep);
+      const std::filesystem::path folder = left.opened.file.parent_path();
+      left.saved.save(left.shown, folder / first_save_name(left.opened.name), Existing::keep);
     }
   }
 }

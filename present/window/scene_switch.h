@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ class SavedScene {
   /// another file.
   SavedScene(const std::filesystem::path& file, scene::Scene scene);
 
+  /// Whether the next save overwrites a file.
+  bool has_file() const { return !file_.empty(); }
   /// Whether anything but the camera differs.
   bool differs_from(const scene::Scene& scene) const;
   /// Writes it into the file that it was opened from or saved to last, whose comments, order and layout stay
@@ -71,9 +74,18 @@ class SceneSwitch {
   bool undo();
   /// The same the other way: redoes an edit, or goes on to the scene that undo() has left.
   bool redo();
-  /// Saves the state's scene, and saves it under the name that the panel has. Both return what was written.
-  std::filesystem::path save() { return saved_.save(state_.scene, state_.save_name, state_.existing); }
-  std::filesystem::path save_as() { return saved_.save_as(state_.scene, state_.save_name, state_.existing); }
+  /// Saves the state's scene, which has that file and its name from here on. Both return what was written.
+  std::filesystem::path save();
+  std::filesystem::path save_as(const std::filesystem::path& file, Existing existing);
+  /// Whether save() has a file to write. It has none of a scene that comes with the program, that is new, or
+  /// whose file is a link.
+  bool has_file() const { return saved_.has_file(); }
+  /// Counts what has been saved.
+  std::uint64_t saves() const { return saves_; }
+  /// What is offered to save the scene as: beside its file.
+  std::filesystem::path first_name() const;
+  /// Whether the scene that is shown has edits that its file has not.
+  bool is_unsaved() const { return saved_.differs_from(state_.scene); }
   /// Names of all scenes with edits that no file has: the one that is shown and those that were left.
   std::vector<std::string> unsaved() const;
   /// Saves them all.
@@ -89,6 +101,7 @@ class SceneSwitch {
   };
 
   Left leave() const;
+  std::filesystem::path note(std::filesystem::path file);
   void show(const OpenedScene& opened, const scene::Scene& shown, double time_s);
   /// To the last one of `from`; the scene that is left becomes the last one of `to`.
   void go(std::vector<Left>& from, std::vector<Left>& to);
@@ -98,6 +111,7 @@ class SceneSwitch {
   ViewState& state_;
   SceneEditing& editing_;
   SavedScene saved_;
+  std::uint64_t saves_ = 0;
   // The next one last: before the scene that is shown, and those that undo() has left.
   std::vector<Left> before_, after_;
 };

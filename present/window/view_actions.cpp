@@ -23,6 +23,9 @@ bool change_view(ViewAction action, ViewState& state) {
     case ViewAction::toggle_panels:
       state.shows_panels = !state.shows_panels;
       return true;
+    case ViewAction::search:
+      state.shows_panels = state.begins_search = true;
+      return true;
     case ViewAction::toggle_pause:
       clock.toggle_pause();
       return true;

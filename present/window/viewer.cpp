@@ -17,6 +17,7 @@
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/scene_terrain.h"
+#include "present/files/state_folder.h"
 #include "present/gl/render_target.h"
 #include "present/output/camera_path.h"
 #include "present/output/image_file.h"
@@ -77,19 +78,24 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       input_(window()),
       panels_(window()),
       start_screen_(window(), panels_),
+      kept_look_(read_look(state_file("look"))),
       enlarge_(context_.capabilities()),
       control_(start_level(options, context_.capabilities())),
       sea_(context_, sea_settings(), options.scene),
       state_(start_state(options, sea_)),
       editing_(sea_, state_),
       scenes_(options_, sea_, state_, editing_),
-      intake_(options_, sea_, state_, editing_, scenes_),
+      recent_(state_file("recent_files")),
+      intake_(options_, sea_, state_, editing_, scenes_, recent_),
       quit_(scenes_, state_),
+      files_(options_, state_, scenes_, intake_, scene_list_, recent_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   scene_list_.follow(options_.scene_file);
+  if (!options_.scene_file.empty()) recent_.add(options_.scene_file);
+  state_.look = kept_look_;
   state_.kept_hz = start_kept_hz(options, context_.capabilities());
   state_.render_scale = static_cast<float>(options.render_scale);
   if (options.starts_paused) state_.clock.toggle_pause();
@@ -99,6 +105,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
 }
 
 LiveSeaSettings Viewer::sea_settings() {
+  panels_.set_look(kept_look_);
   const Quality quality = options_.recording ? Quality{} : control_.quality();
   LiveSeaSettings settings = present::sea_settings(options_, context_.capabilities(), cancel_, quality);
   settings.watch = [this](const OpeningStep& step) { start_screen_.show(title(options_), step); };
@@ -157,6 +164,7 @@ bool Viewer::turn() {
     control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
   }
   if (drawn == Drawn::moving && recorder_) record_frame();
+  show_title();
   if (!is_at_rest()) limiter_.wait(most_frames_hz());
   return !quit_.has_quit() && !is_recorded_;
 }
@@ -167,7 +175,10 @@ void Viewer::act(KeyPress press) {
     panels_.close_popups();
     return press.action == ViewAction::save ? quit_.save() : quit_.cancel();
   }
-  if (change_view(press.action, state_) || change_edits(press.action, editing_, screen())) return;
+  if (files_.asks()) return;
+  if (files_.act(press.action) || change_view(press.action, state_) ||
+      change_edits(press.action, editing_, screen()))
+    return;
   const auto number = static_cast<std::size_t>(press.number);
   switch (press.action) {
     case ViewAction::toggle_walk:
@@ -204,9 +215,6 @@ void Viewer::act(KeyPress press) {
       editing_.make(
           [&](scene::Scene& scene) { return present::set_bookmark(scene, state_.camera.camera(), number); });
       break;
-    case ViewAction::save:
-      save_scene(false);
-      break;
     case ViewAction::deselect:
       escape();
       break;
@@ -224,6 +232,7 @@ void Viewer::escape() {
 }
 
 void Viewer::request_quit() {
+  files_.close();
   quit_.open();
   // A minimised window cannot ask.
   const bool is_minimised = glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE;
@@ -239,13 +248,21 @@ void Viewer::go_to_bookmark(std::size_t number) {
 }
 
 void Viewer::begin_scene() {
-  glfwSetWindowTitle(window(), title(options_).c_str());
   drawn_s_ = state_.clock.time_s();
   is_on_path_ = has_camera_path(state_.scene);
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
   control_ = QualityControl(start_level(options_, context_.capabilities()));
   refinement_.forget();
+}
+
+void Viewer::show_title() {
+  const std::uint64_t now = editing_.edits() + scenes_.saves();
+  if (std::exchange(titled_, now) == now) return;
+  std::string wanted = title(options_) + (scenes_.is_unsaved() ? " *" : "");
+  if (wanted == shown_title_) return;
+  shown_title_ = std::move(wanted);
+  glfwSetWindowTitle(window(), shown_title_.c_str());
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -257,7 +274,7 @@ Screen Viewer::screen() const {
 
 void Viewer::move_camera(double wall_s) {
   CameraInput input = input_.take_camera_input();
-  if (quit_.is_open()) input = {};
+  if (quit_.is_open() || files_.asks()) input = {};
   if (is_on_path_ && input.moves()) leave_path();
   for (const glm::dvec2 clip : input_.take_clicks()) {
     if (pilot_.go_through(state_, sea_, clip)) leave_path();
@@ -443,7 +460,10 @@ Viewer::Drawn Viewer::draw_sea(glm::ivec2 window_px) {
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.terrain() && state_.shows_map) map_.show(sea_.terrain()->parameters());
-  for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
+  const auto need = [&](std::string_view text) { panels_.need(text); };
+  for_shown_names(state_, scene_list_, need);
+  files_.for_shown_names(need);
+  panels_.set_look(state_.look);
   panels_.begin();
   editing_.draw(screen(), input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
@@ -460,8 +480,11 @@ PanelEdits Viewer::draw_panels() {
                                                    .open_scene = listed(options_)});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
+  files_.draw();
   quit_.draw();
   panels_.end();
+  if (!panels_.is_in_use() && std::exchange(kept_look_, state_.look) != state_.look)
+    write_look(state_file("look"), state_.look);
   return edits;
 }
 
@@ -474,7 +497,8 @@ void Viewer::apply(const PanelEdits& edits) {
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
   if (edits.object) editing_.do_to_object(*edits.object, screen());
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
-  if (edits.wants_save) save_scene(true);
+  if (edits.action) act({*edits.action});
+  if (edits.wanted_file) files_.open(*edits.wanted_file);
   if (edits.wants_original) {
     state_.scene = options_.scene;
     reset_camera();
@@ -499,14 +523,6 @@ void Viewer::take_screenshot() {
     const auto path = unused_image_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
     sea_.write(path, Existing::keep);
     return fmt::format("wrote {}", whole_name(path));
-  });
-}
-
-void Viewer::save_scene(bool under_new_name) {
-  report([&] {
-    const std::filesystem::path file = under_new_name ? scenes_.save_as() : scenes_.save();
-    scene_list_.look();
-    return fmt::format("wrote {}", whole_name(file));
   });
 }
 

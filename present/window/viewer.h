@@ -11,6 +11,7 @@
 
 #include "host/base/work.h"
 #include "present/editing/scene_editing.h"
+#include "present/files/file_actions.h"
 #include "present/gl/gl_context.h"
 #include "present/panels/mini_map.h"
 #include "present/panels/panel_layer.h"
@@ -64,6 +65,8 @@ class Viewer {
   bool is_at_rest() const;
 
   const ViewState& state() const { return state_; }
+  /// The name of the scene, with a mark where it has unsaved edits.
+  const std::string& shown_title() const { return shown_title_; }
   /// Of the next picture of a moving view. What is recorded has all of it.
   Quality quality() const;
   /// Frames of the recording that are written.
@@ -100,7 +103,7 @@ class Viewer {
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   Screen screen() const;
-  void save_scene(bool under_new_name);
+  void show_title();
   /// Deselects, or closes what has popped up.
   void escape();
   void request_quit();
@@ -116,6 +119,7 @@ class Viewer {
   WindowInput input_;
   PanelLayer panels_;
   StartScreen start_screen_;
+  Look kept_look_;  // as it is remembered
   EnlargePass enlarge_;
   QualityControl control_;
   LiveSea sea_;
@@ -123,9 +127,13 @@ class Viewer {
   CameraPilot pilot_;
   SceneEditing editing_;
   SceneSwitch scenes_;
+  RecentFiles recent_;
   FileIntake intake_;
   QuitDialog quit_;
   SceneList scene_list_;
+  FileActions files_;
+  std::string shown_title_;
+  std::optional<std::uint64_t> titled_;  // edits and saves that the title knows of
   MiniMap map_;
   Refinement refinement_;
   Quality shown_quality_;  // of the picture that is shown

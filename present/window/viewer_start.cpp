@@ -12,7 +12,7 @@ ListedScene listed(const ViewOptions& options) {
 }
 
 std::string first_save_name(const std::string& scene_name) {
-  return (scene_name.empty() ? "scene" : scene_name) + "_edited.toml";
+  return scene_name.empty() ? "scene.toml" : scene_name + "_edited.toml";
 }
 
 std::string title(const ViewOptions& options) {
@@ -36,7 +36,6 @@ ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
   ViewState state{.scene = options.scene,
                   .camera = FreeCamera(sea.scene().view.camera),
                   .clock = SceneClock(options.time_s),
-                  .save_name = first_save_name(options.scene_name),
                   .message = {.text = sea.warning()}};
   state.scene.view.camera = sea.scene().view.camera;
   return state;

@@ -11,7 +11,10 @@ namespace {
 
 class PanelFontsTest : public testing::Test {
  protected:
-  void SetUp() override { ImGui::CreateContext(); }
+  void SetUp() override {
+    ImGui::CreateContext();
+    EXPECT_TRUE(fonts_.update()) << "there is none before";
+  }
   void TearDown() override { ImGui::DestroyContext(); }
 
   static bool is_shown(ImWchar letter) { return has_glyph(*ImGui::GetIO().Fonts->Fonts[0], letter); }
@@ -39,6 +42,15 @@ TEST_F(PanelFontsTest, LettersAreFoundAsTheyAreNeeded) {
 // Fails if windows that need no other letters pay for them.
 TEST_F(PanelFontsTest, WesternEuropeNeedsNone) {
   fonts_.need("año über ship.toml");
+  EXPECT_FALSE(fonts_.update());
+}
+
+// Fails if letters do not get the height that is asked for, or fonts are made anew without need.
+TEST_F(PanelFontsTest, HaveTheirHeight) {
+  fonts_.set_height(32.0f);
+  EXPECT_TRUE(fonts_.update());
+  EXPECT_EQ(height_of(*ImGui::GetIO().Fonts->Fonts[0]), 32.0f);
+  fonts_.set_height(32.0f);
   EXPECT_FALSE(fonts_.update());
 }
 

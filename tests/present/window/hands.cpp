@@ -93,6 +93,21 @@ bool Hands::has_window() const {
   return window > PointerRoot && window != DefaultRootWindow(state_->display);
 }
 
+std::string Hands::title() const {
+  // As the window's system shows it (EWMH, _NET_WM_NAME).
+  const Atom name = XInternAtom(state_->display, "_NET_WM_NAME", False);
+  constexpr long most_words = 256;
+  Atom type = 0;
+  int bits = 0;
+  unsigned long count = 0, left = 0;
+  unsigned char* text = nullptr;
+  XGetWindowProperty(state_->display, state_->focused(), name, 0, most_words, False, AnyPropertyType, &type,
+                     &bits, &count, &left, &text);
+  std::string title = text == nullptr ? "" : std::string(reinterpret_cast<const char*>(text), count);
+  if (text != nullptr) XFree(text);
+  return title;
+}
+
 void Hands::close() {
   // As ICCCM 4.2.8.1 has it.
   XEvent event{};

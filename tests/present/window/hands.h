@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace offing::test {
@@ -26,6 +27,8 @@ class Hands {
   void button(Button button, Motion motion);
   /// Whether a window has the keyboard.
   bool has_window() const;
+  /// Of the window that has the keyboard, UTF-8.
+  std::string title() const;
   /// As a window manager closes the window that has the keyboard.
   void close();
   /// As a window manager minimises and restores the window that has the keyboard.

@@ -38,7 +38,9 @@ TEST(KeyBindingsTest, AreFoundByKeyAndModifiers) {
   expect(GLFW_KEY_9, GLFW_MOD_CONTROL, ViewAction::set_bookmark, 9);
   expect(GLFW_KEY_Z, GLFW_MOD_CONTROL, ViewAction::undo, 1);
   expect(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, ViewAction::redo, 1);
+  expect(GLFW_KEY_Y, GLFW_MOD_CONTROL, ViewAction::redo, 1);
   expect(GLFW_KEY_S, GLFW_MOD_CONTROL, ViewAction::save, 1);
+  expect(GLFW_KEY_S, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, ViewAction::save_as, 1);
   expect(GLFW_KEY_Q, GLFW_MOD_CONTROL, ViewAction::quit, 1);
   expect(GLFW_KEY_ESCAPE, 0, ViewAction::deselect, 1);
   expect(GLFW_KEY_H, GLFW_MOD_ALT, ViewAction::toggle_help, 1);

@@ -288,9 +288,7 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   const double before_rad = state().scene.view.sun_direction.azimuth_rad;
   drag(dial, {dial.x - 5, dial.y + 25});
   EXPECT_NE(state().scene.view.sun_direction.azimuth_rad, before_rad);
-  toggle_header("Scene file");
-  enter(find(main_panel(), "name"), "mine.toml");
-  click(find(main_panel(), "save scene as", 40));
+  save_as("mine.toml");
   EXPECT_FALSE(state().message.is_fault) << message();
   press("Tab");
   resize({400, 300});

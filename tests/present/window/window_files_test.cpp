@@ -118,7 +118,7 @@ TEST_F(WindowFilesTest, ScenesAreOpened) {
   EXPECT_THAT(message(), HasSubstr("opened calm 바다"));
   EXPECT_THAT(message(), HasSubstr("not saved"));
   EXPECT_EQ(viewer_->window(), window);
-  EXPECT_EQ(state().save_name, "calm 바다_edited.toml");
+  EXPECT_EQ(viewer_->shown_title(), "Offing: calm 바다");
   EXPECT_EQ(state().clock.time_s(), 5.0);
   EXPECT_TRUE(state().clock.is_paused()) << "as it was";
   EXPECT_TRUE(viewer_->sea().meshes().empty());
@@ -186,6 +186,14 @@ TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
   file("second.toml", "version = 1\n[ocean]\nsize = 32\n[wind]\nspeed_mps = 3\n");
   open(options);
   toggle_header("Scenes");
+  // The lists are at the panel's end.
+  hands_->move_to(200, 60);
+  turn();
+  for (int i = 0; i < 40; ++i) {
+    hands_->button(Hands::Button::wheel_down, Hands::Motion::down);
+    hands_->button(Hands::Button::wheel_down, Hands::Motion::up);
+  }
+  turn(3);
   const auto choose_row = [&](const char* part, int number) {
     const unsigned id = main_panel()->GetID(part);
     click(find(ImGui::FindWindowByName(fmt::format("Offing/{}_{:08X}", part, id).c_str()), "##scene", 20,

@@ -224,9 +224,7 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   resize({480, 1000});
   press("Tab");
   turn(3);
-  toggle_header("Scene file");
-  enter(find(main_panel(), "name"), "mine.toml");
-  click(find(main_panel(), "save scene as", 40));
+  save_as("mine.toml");
   EXPECT_FALSE(state().message.is_fault) << message();
   resize({400, 300});
   for (int i = 0; i < 5; ++i) undo();

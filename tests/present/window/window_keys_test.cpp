@@ -9,6 +9,8 @@
 
 #include "host/io/png_image.h"
 #include "host/scene/file/scene_file.h"
+#include "host/scene/schema/parameter_table.h"
+#include "present/panels/parameter_widget.h"
 #include "tests/present/window/window_test.h"
 
 namespace offing::test {
@@ -203,10 +205,10 @@ TEST_F(WindowKeysTest, FollowsThePathUntilItIsMoved) {
 // Fails if letters that are typed into a field of the panels fly the camera or open the help.
 TEST_F(WindowKeysTest, TypingIsNotFlying) {
   open(quick_options());
-  toggle_header("Scene file");
+  toggle_header("Sun");
   const Camera before = state().camera.camera();
-  enter(find(main_panel(), "name"), "wash_h.toml");
-  EXPECT_EQ(state().save_name, "wash_h.toml");
+  click(find(main_panel(), present::parameter_label(*scene::find_parameter("sun.time_utc"))));
+  type("wash_h");
   EXPECT_FALSE(state().shows_help);
   EXPECT_EQ(state().camera.camera().eye_m, before.eye_m);
 }

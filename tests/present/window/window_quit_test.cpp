@@ -162,6 +162,9 @@ TEST_F(WindowQuitTest, SavingLosesNothing) {
   open(options);
   edit();
   press_with_control("s");
+  turn(2);
+  press("Return");
+  turn(2);
   EXPECT_THAT(message(), HasSubstr("link_edited.toml"));
   EXPECT_TRUE(std::filesystem::is_symlink("link.toml"));
 }

@@ -35,6 +35,8 @@ void WindowTest::SetUp() {
   if (!display_) GTEST_SKIP() << reason;
   hands_ = std::make_unique<Hands>();
   std::filesystem::current_path(folder_.path());  // pictures and scenes are written here
+  // What windows remember is none of other windows.
+  setenv("XDG_STATE_HOME", (folder_.path() / "state").c_str(), 1);
 }
 
 void WindowTest::TearDown() {
@@ -166,6 +168,17 @@ void WindowTest::redo(int count) {
   turn();
 }
 
+void WindowTest::save_as(const std::string& name) {
+  hands_->key("Shift_L", Hands::Motion::down);
+  turn();
+  press_with_control("s");
+  hands_->key("Shift_L", Hands::Motion::up);
+  turn(3);
+  type(name);
+  press("Return");
+  turn(3);
+}
+
 void WindowTest::drop(const std::vector<std::filesystem::path>& files) {
   const GLFWdropfun told = glfwSetDropCallback(viewer_->window(), nullptr);
   glfwSetDropCallback(viewer_->window(), told);
@@ -231,7 +244,7 @@ WindowTest::Spot WindowTest::find_triple(ImGuiWindow* window, const std::string&
   return find_item(window, label, id, 30);
 }
 
-WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px) {
+std::optional<WindowTest::Spot> WindowTest::spot_of(ImGuiWindow* window, unsigned id, int x_px) {
   constexpr int step_px = 12;  // less than the lowest button is high
   const int x = static_cast<int>(window->Pos.x) + x_px;
   for (int screen = 0; screen < 10; ++screen) {
@@ -245,7 +258,7 @@ WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& l
       turn();
       if (!is_hovered(id)) continue;
       last_y_ = y;
-      return {x, y};
+      return Spot{x, y};
     }
     if (window->ScrollMax.y <= 0.0f) break;
     // Down to the end, then once more from the top.
@@ -256,6 +269,15 @@ WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& l
       hands_->button(wheel, Hands::Motion::up);
     }
     turn(2);
+  }
+  return {};
+}
+
+WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px) {
+  if (const std::optional<Spot> spot = spot_of(window, id, x_px)) return *spot;
+  // Buttons beside each other are elsewhere with letters of another width.
+  for (int x = 14; x < static_cast<int>(window->Size.x); x += 14) {
+    if (const std::optional<Spot> spot = spot_of(window, id, x)) return *spot;
   }
   ADD_FAILURE() << label << ": the mouse finds no such item in " << window->Name;
   return {};

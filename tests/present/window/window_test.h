@@ -49,6 +49,8 @@ class WindowTest : public testing::Test {
   /// Ctrl Z so many times, and Ctrl Shift Z.
   void undo(int count = 1);
   void redo(int count = 1);
+  /// Ctrl Shift S and a name.
+  void save_as(const std::string& name);
   /// As the window's system tells of files that are dropped on it.
   void drop(const std::vector<std::filesystem::path>& files);
 
@@ -67,9 +69,9 @@ class WindowTest : public testing::Test {
   static ImGuiWindow* main_panel();
   static ImGuiWindow* open_list();
   static ImGuiWindow* open_menu();
-  /// Moves the mouse over a window, `x_px` right of its edge, until it hovers the item of this label,
-  /// scrolling as far as needed; a failure if it is not there. Items of
-  /// repeated sections have the number of their element.
+  /// Moves the mouse over a window, `x_px` right of its edge, then elsewhere, until it hovers the item of
+  /// this label, scrolling as far as needed; a failure if it is not there. Items of repeated sections have
+  /// the number of their element.
   Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60, std::optional<int> element = {});
   /// The first field of three.
   Spot find_triple(ImGuiWindow* window, const std::string& label, std::optional<int> element = {});
@@ -88,6 +90,7 @@ class WindowTest : public testing::Test {
 
  private:
   bool is_hovered(unsigned id) const;
+  std::optional<Spot> spot_of(ImGuiWindow* window, unsigned id, int x_px);
 
   int last_y_ = 0;  // of the last item found
 };

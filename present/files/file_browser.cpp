@@ -1,0 +1,78 @@
+#include "present/files/file_browser.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+
+#include "host/io/tile_store/tile_store.h"
+#include "present/window/dropped_files.h"
+
+namespace offing::present {
+
+bool is_folder_to_enter(const std::filesystem::path& path) {
+  std::error_code unknown;
+  return std::filesystem::is_directory(path, unknown) && !is_tile_store(path);
+}
+
+bool passes(FileFilter filter, const std::filesystem::path& file) {
+  switch (filter) {
+    case FileFilter::all:
+      return true;
+    case FileFilter::known:
+      return may_be(file, DroppedKind::scene) || may_be(file, DroppedKind::mesh) ||
+             may_be(file, DroppedKind::height_map) || may_be(file, DroppedKind::spectrum) ||
+             may_be(file, DroppedKind::cloud);
+    case FileFilter::scenes:
+      return may_be(file, DroppedKind::scene);
+    case FileFilter::meshes:
+      return may_be(file, DroppedKind::mesh);
+    case FileFilter::height_maps:
+      return may_be(file, DroppedKind::height_map);
+    case FileFilter::spectra:
+      return may_be(file, DroppedKind::spectrum);
+    case FileFilter::clouds:
+      return may_be(file, DroppedKind::cloud);
+  }
+  return false;
+}
+
+std::filesystem::path FileBrowser::at(const std::string& typed) const {
+  const char* home = std::getenv("HOME");
+  const bool is_of_home = home != nullptr && (typed == "~" || typed.starts_with("~/"));
+  const std::filesystem::path path =
+      is_of_home ? std::filesystem::path(home) / typed.substr(std::min<std::size_t>(2, typed.size()))
+                 : folder_ / typed;
+  return path.lexically_normal();
+}
+
+bool FileBrowser::go_to(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::path whole = std::filesystem::current_path(failed) / folder_ / folder;
+  whole = whole.lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();  // "/tmp/" is "/tmp"
+  std::filesystem::directory_iterator entry(whole, failed);
+  if (failed) return false;
+  std::vector<FileEntry> entries;
+  for (; !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with('.')) continue;
+    const bool is_folder = is_folder_to_enter(entry->path());
+    if (is_folder || passes(filter_, entry->path())) entries.push_back({name, is_folder});
+  }
+  std::ranges::sort(entries, {}, [](const FileEntry& each) {
+    return std::tuple(!each.is_folder, std::string_view(each.name));
+  });
+  if (whole.has_relative_path()) entries.insert(entries.begin(), {"..", true});
+  folder_ = std::move(whole);
+  entries_ = std::move(entries);
+  return true;
+}
+
+void FileBrowser::set_filter(FileFilter filter) {
+  filter_ = filter;
+  go_to(folder_);
+}
+
+}  // namespace offing::present

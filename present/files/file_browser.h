@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace offing::present {
+
+/// Which files a FileBrowser lists.
+enum class FileFilter { known, scenes, meshes, height_maps, spectra, clouds, all };
+inline constexpr std::array<const char*, 7> file_filter_names{
+    "all that Offing reads", "scenes", "meshes", "height maps", "wave spectra", "clouds", "all files"};
+
+/// A file or a folder in a list.
+struct FileEntry {
+  std::string name;  ///< without its folder
+  bool is_folder = false;
+
+  bool operator==(const FileEntry&) const = default;
+};
+
+/// The contents of one folder, as a file dialog shows them: ".." and folders first, then the files that the
+/// filter lets through, by their names. Hidden ones are left out. A tile store counts as a file.
+class FileBrowser {
+ public:
+  /// Shows another folder; false where it cannot be read, and then stays where it was. Relative ones begin at
+  /// the folder that is shown, at first the current one.
+  bool go_to(const std::filesystem::path& folder);
+  void set_filter(FileFilter filter);
+  FileFilter filter() const { return filter_; }
+  /// Absolute.
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<FileEntry>& entries() const { return entries_; }
+  /// What a typed name means in this folder: "sea.toml", "../sea.toml", "/tmp/sea.toml", "~/sea.toml".
+  std::filesystem::path at(const std::string& typed) const;
+
+ private:
+  std::filesystem::path folder_;
+  FileFilter filter_ = FileFilter::known;
+  std::vector<FileEntry> entries_;
+};
+
+/// Whether a filter lets a file through, as far as its name tells.
+bool passes(FileFilter filter, const std::filesystem::path& file);
+/// Whether a dialog goes into it rather than taking it.
+bool is_folder_to_enter(const std::filesystem::path& path);
+
+}  // namespace offing::present

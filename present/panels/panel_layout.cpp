@@ -1,0 +1,112 @@
+#include "present/panels/panel_layout.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <imgui.h>
+
+#include "present/panels/look.h"
+
+namespace offing::present {
+namespace {
+
+// Of a panel for which there is no room left.
+constexpr float least_height_em = 8.0f;
+
+ImVec2 screen_px() {
+  return ImGui::GetIO().DisplaySize;
+}
+
+}  // namespace
+
+float PanelLayout::margin() {
+  return 0.5f * ImGui::GetFontSize();
+}
+
+void PanelLayout::begin() {
+  main_px_ = margin();
+  right_px_ = margin();
+  low_px_ = std::exchange(next_low_px_, 0.0f);
+  message_px_ = std::exchange(next_message_px_, 0.0f);
+}
+
+/// Above the message.
+float PanelLayout::bottom() const {
+  return std::max(least_height_em * ImGui::GetFontSize(), screen_px().y - message_px_ - margin());
+}
+
+void PanelLayout::place_main(float width_em) {
+  const float width = std::min(width_em * ImGui::GetFontSize(), screen_px().x - 2.0f * margin());
+  main_px_ = margin() + width;
+  ImGui::SetNextWindowPos(ImVec2(margin(), margin()));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));  // as high as what is open
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, bottom() - margin()));
+}
+
+float PanelLayout::draw_main_edge(float width_em) {
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(ImVec2(main_px_, margin()));
+  ImGui::SetNextWindowSize(ImVec2(margin(), bottom() - margin()));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+  ImGui::Begin("panel edge", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::InvisibleButton("edge", ImVec2(margin(), bottom() - margin()));
+  const bool is_held = ImGui::IsItemActive();
+  if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (is_held) width_em = (ImGui::GetIO().MousePos.x - 1.5f * margin()) / em;
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  const float most_em = std::min(most_panel_em, (screen_px().x - 3.0f * margin()) / em);
+  return is_held ? std::clamp(width_em, least_panel_em, std::max(least_panel_em, most_em)) : width_em;
+}
+
+void PanelLayout::place_right() {
+  const float em = ImGui::GetFontSize(), free_px = bottom() - low_px_ - right_px_;
+  const float height = std::max(least_height_em * em, free_px);
+  const float top = std::min(right_px_, std::max(margin(), bottom() - height));
+  ImGui::SetNextWindowPos(ImVec2(screen_px().x - margin(), top), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(right_width(), height));
+}
+
+float PanelLayout::right_width() const {
+  constexpr float least_em = 20.0f;
+  const float width = std::max(least_em * ImGui::GetFontSize(), screen_px().x - main_px_ - 3.0f * margin());
+  return std::min(width, screen_px().x - 2.0f * margin());
+}
+
+void PanelLayout::end_right() {
+  right_px_ = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + margin();
+}
+
+void PanelLayout::place_low_left() const {
+  ImGui::SetNextWindowPos(ImVec2(main_px_ + 2.0f * margin(), bottom()), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+}
+
+void PanelLayout::place_low_right() const {
+  ImGui::SetNextWindowPos(ImVec2(screen_px().x - margin(), bottom()), ImGuiCond_Always, ImVec2(1.0f, 1.0f));
+}
+
+void PanelLayout::end_low() {
+  next_low_px_ = std::max(next_low_px_, ImGui::GetWindowHeight() + margin());
+}
+
+void PanelLayout::place_message() const {
+  ImGui::SetNextWindowPos(ImVec2(0.0f, screen_px().y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(screen_px().x, 0.5f * screen_px().y));
+}
+
+void PanelLayout::end_message() {
+  next_message_px_ = ImGui::GetWindowHeight();
+}
+
+void stay_in_line(const char* label) {
+  ImGui::SameLine();
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float width = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::GetCursorScreenPos().x + width > end) ImGui::NewLine();
+}
+
+}  // namespace offing::present

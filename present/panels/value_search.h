@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "host/scene/schema/parameter.h"
+
+namespace offing::present {
+
+/// Whether each word that is looked for is in a row's panel, name or key, in any case: "wind spe" finds the
+/// wind's speed. Nothing finds nothing.
+bool is_found(std::string_view wanted, std::string_view panel, const scene::Parameter& row);
+
+}  // namespace offing::present

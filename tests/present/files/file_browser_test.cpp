@@ -1,0 +1,77 @@
+// The folders and files that a file dialog lists, and what a typed name means there.
+#include "present/files/file_browser.h"
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/scoped_environment.h"
+
+namespace offing::present {
+namespace {
+
+using ::testing::ElementsAre;
+
+class FileBrowserTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"sea.toml", "SHIP.GLB", "coast.tif", "notes.odt", ".hidden.toml", "b.ply"})
+      std::ofstream(folder_.path() / name) << "x";
+    std::filesystem::create_directory(folder_.path() / "maps ü");
+    std::filesystem::create_directory(folder_.path() / ".cache");
+    ASSERT_TRUE(browser_.go_to(folder_.path()));
+  }
+  std::vector<std::string> names(FileFilter filter) {
+    browser_.set_filter(filter);
+    std::vector<std::string> names;
+    for (const FileEntry& entry : browser_.entries()) names.push_back(entry.name);
+    return names;
+  }
+
+  TemporaryFolder folder_;
+  FileBrowser browser_;
+};
+
+// Fails if a filter hides its own files, shows others or hidden ones, or hides folders.
+TEST_F(FileBrowserTest, ListsFoldersThenFilesOfTheKind) {
+  EXPECT_THAT(names(FileFilter::scenes), ElementsAre("..", "maps ü", "sea.toml"));
+  EXPECT_THAT(names(FileFilter::meshes), ElementsAre("..", "maps ü", "SHIP.GLB", "b.ply"));
+  EXPECT_THAT(names(FileFilter::clouds), ElementsAre("..", "maps ü", "b.ply"));
+  EXPECT_THAT(names(FileFilter::height_maps), ElementsAre("..", "maps ü", "coast.tif"));
+  EXPECT_THAT(names(FileFilter::spectra), ElementsAre("..", "maps ü"));
+  EXPECT_THAT(names(FileFilter::known),
+              ElementsAre("..", "maps ü", "SHIP.GLB", "b.ply", "coast.tif", "sea.toml"));
+  EXPECT_THAT(names(FileFilter::all),
+              ElementsAre("..", "maps ü", "SHIP.GLB", "b.ply", "coast.tif", "notes.odt", "sea.toml"));
+}
+
+// Fails if a typed name is looked for in another folder than the one that is shown.
+TEST_F(FileBrowserTest, TypedNamesBeginAtTheFolder) {
+  const test::ScopedEnvironment home("HOME", "/home/someone");
+  EXPECT_EQ(browser_.at("sea.toml"), folder_.path() / "sea.toml");
+  EXPECT_EQ(browser_.at("maps ü/../sea.toml"), folder_.path() / "sea.toml");
+  EXPECT_EQ(browser_.at("/tmp/sea.toml"), "/tmp/sea.toml");
+  EXPECT_EQ(browser_.at("~/sea.toml"), "/home/someone/sea.toml");
+  EXPECT_EQ(browser_.at("~other"), folder_.path() / "~other");
+}
+
+// Fails if a folder that is not there empties the list, or the way up is lost at the root.
+TEST_F(FileBrowserTest, GoesUpAndDown) {
+  EXPECT_TRUE(browser_.go_to("maps ü/"));
+  EXPECT_EQ(browser_.folder(), folder_.path() / "maps ü");
+  EXPECT_TRUE(browser_.go_to(".."));
+  EXPECT_EQ(browser_.folder(), folder_.path());
+  EXPECT_FALSE(browser_.go_to("gone"));
+  EXPECT_EQ(browser_.folder(), folder_.path());
+  EXPECT_EQ(browser_.entries().size(), 6u);
+  EXPECT_TRUE(browser_.go_to("/"));
+  EXPECT_TRUE(browser_.go_to(".."));
+  EXPECT_EQ(browser_.folder(), "/");
+}
+
+}  // namespace
+}  // namespace offing::present
