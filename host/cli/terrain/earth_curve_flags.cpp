@@ -6,13 +6,13 @@ namespace offing::cli {
 
 void EarthCurveFlags::add_to(CLI::App& command) {
   command.add_flag("--curvature", is_curved_,
-                   "include the Earth's curvature, less the bending of light by air (default: flat Earth)");
+                   "include the Earth's curvature and atmospheric refraction (default: flat Earth)");
   options_.add_to(command, {{&Settings::refraction,
                              {.key = "refraction",
                               .low = 0.0,
                               .high = 1.0,
-                              .help = "refraction coefficient: the Earth's radius divided by the radius of a "
-                                      "light ray; implies --curvature"}}});
+                              .help = "refraction coefficient: the Earth's radius divided by the radius of "
+                                      "curvature of a light ray; implies --curvature"}}});
 }
 
 terrain::EarthCurve EarthCurveFlags::read() const {

@@ -35,8 +35,9 @@ void PlaceFlags::add_to(CLI::App& command, const char* group) {
       command,
       {{&PlaceSettings::system,
         {.key = "crs",
-         .help = "system of all places, east before north: local (m from the north-west post), map (the "
-                 "map's own coordinates), lonlat (degrees on WGS 84) or a name such as EPSG:32719",
+         .help =
+             "coordinate system of all places, east before north: local (m from the north-west post), map "
+             "(the map's own coordinates), lonlat (degrees on WGS 84) or a name such as EPSG:32719",
          .example = "lonlat",
          .rule = scene::ParameterRule::name}}},
       group);
@@ -174,7 +175,6 @@ nlohmann::ordered_json PlaceSystem::to_json(const glm::dvec2& place_m, const dou
   return json;
 }
 
-}  // namespace offing::cli
 std::string PlaceSystem::text(const glm::dvec2& place_m, double height_m) const {
   if (is_local()) return fmt::format("({}, {}, {})", place_m.x, height_m, place_m.y);
   const glm::dvec2 place = of_map(place_m);
@@ -184,3 +184,4 @@ std::string PlaceSystem::text(const glm::dvec2& place_m, double height_m) const 
   return fmt::format("x {:.10g}, y {:.10g}, height {} m", place.x, place.y, height_m);
 }
 
+}  // namespace offing::cli

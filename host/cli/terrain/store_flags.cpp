@@ -22,7 +22,7 @@ void CacheFlags::add_edge_to(CLI::App& command) {
   SettingOptions::add_to(command,
                          {{scene::choice(&StoreUse::edge, {"ends", "repeats", "mirrors"}),
                            {.key = "edge",
-                            .help = "what is beyond the map's edges: nothing (ends), the map again "
+                            .help = "terrain beyond the map's edges: nothing (ends), the map again "
                                     "(repeats), or its mirror image (mirrors)"}}},
                          store_group);
 }

@@ -19,12 +19,10 @@ constexpr const char* batch_group = "Many at once";
 
 std::string points_help(const NumberColumns& columns, std::string_view gis) {
   return fmt::format(
-      "CSV file with columns {}\nwith a header line: in any order, among others; without: exactly these, in "
-      "this "
-      "order.\nWith --crs, x and z of a place are longitude_deg,latitude_deg or x,y. Or a GeoPackage or "
-      "GeoJSON, "
-      "with {}",
-      fmt::join(columns.names, ","), gis);
+      "GeoPackage or GeoJSON with {}, or CSV with columns {}\nwith a header line: in any order, "
+      "among others; without: exactly these, in this order.\nWith --crs lonlat the columns of a place are "
+      "longitude_deg,latitude_deg, with other systems x,y",
+      gis, fmt::join(columns.names, ","));
 }
 
 void add_layer_option(CLI::App& command, std::string& layer, const char* group) {
@@ -58,9 +56,9 @@ void TerrainBatch::add_to(CLI::App& command, QuestionColumns columns, const std:
       ->needs(points);
   add_force_flag(command, existing_)->group(batch_group)->needs(points);
 }
-  require_answer_name(output_);
 
 void TerrainBatch::require_question(const std::string& single, const TerrainInput& terrain) const {
+  require_answer_name(output_);
   if (!is_standard_output(output_))
     require_new(output_, existing_, {{terrain.file(), points_}, terrain.trust()});
   if (is_asked() || !single.empty()) return;

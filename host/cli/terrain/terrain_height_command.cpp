@@ -89,7 +89,7 @@ void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command =
       terrain.add_subcommand("height", "print height, normal and slope of the ground at a point");
   arguments->input.add_to(*command);
-  command->add_option("--at", arguments->at, "the point, in m, or in the system of --crs")->type_name("X,Z");
+  command->add_option("--at", arguments->at, "the point: m, or coordinates of --crs")->type_name("X,Z");
   arguments->places.add_to(*command);
   command->add_flag(
       "--smooth-normals", arguments->smooth_normals,
@@ -102,8 +102,8 @@ void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
       "--at");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(
-      fmt::format("\n{}\nmeasured tells whether the map has a height there; voids are filled "
-                  "in.\n\nExamples:\n  offing terrain height S33W071.tif --at 47000,55000 --json\n"
+      fmt::format("\n{}\nmeasured is 1 if the map has a height there, 0 in a filled "
+                  "void.\n\nExamples:\n  offing terrain height S33W071.tif --at 47000,55000 --json\n"
                   "  offing terrain height S33W071.tif --crs lonlat --at -70.5,-32.6\n"
                   "  offing terrain height S33W071.tif --points wells.csv -o heights.csv\n"
                   "  offing terrain height S33W071.tif --points wells.gpkg -o heights.gpkg",

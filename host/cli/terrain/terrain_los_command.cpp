@@ -198,23 +198,26 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("los", "test the line of sight between two points");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
-  command->add_option("--from", arguments->from, "one end, in m, or in the system of --crs")
+  command
+      ->add_option("--from", arguments->from,
+                   "one end: m, or coordinates of --crs, and then the height above ground")
       ->type_name("X,Z,H");
-  command->add_option("--to", arguments->to, "the other end, in m")->type_name("X,Z,H")->needs("--from");
+  command->add_option("--to", arguments->to, "the other end, as --from")->type_name("X,Z,H")->needs("--from");
   arguments->places.add_to(*command);
   arguments->curve.add_to(*command);
   command->add_flag("--clearance", arguments->clearance,
                     "also print how near the line comes to the ground, and where");
   arguments->settings.add_to(
-      *command, {{&ClearanceSettings::frequency_mhz,
-                  {.key = "frequency_mhz",
-                   .unit = "MHz",
-                   .low = 1.0,
-                   .high = 1e6,
-                   .help = "also print the smallest share of the first Fresnel zone's radius that is "
-                           "free at this frequency; implies --clearance",
-                   .example = "2400",
-                   .absent = "none"}}});
+      *command,
+      {{&ClearanceSettings::frequency_mhz,
+        {.key = "frequency_mhz",
+         .unit = "MHz",
+         .low = 1.0,
+         .high = 1e6,
+         .help = "also print the smallest clearance as a share of the first Fresnel zone's radius, at "
+                 "this frequency; implies --clearance",
+         .example = "2400",
+         .absent = "none"}}});
   command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
@@ -230,7 +233,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
                   "  offing terrain los S33W071.tif --crs lonlat --from -70.5,-32.6,1.7 --to -70.4,-32.5,30\n"
                   "  offing terrain los S33W071.tif --from 47000,80000,30 --to 47000,20000,30 "
                   "--frequency-mhz 2400 --curvature\n"
-                  "  offing terrain los S33W071.tif --points masts.csv -o seen.csv",
+                  "  offing terrain los S33W071.tif --points links.csv -o seen.csv",
                   place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });
 }

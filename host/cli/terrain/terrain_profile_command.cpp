@@ -94,19 +94,20 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainProfileArguments>();
   CLI::App* command = terrain.add_subcommand("profile", "print heights along a line as CSV");
   arguments->input.add_to(*command);
-  command->add_option("--from", arguments->from, "start of the line, in m, or in the system of --crs")
+  command->add_option("--from", arguments->from, "start of the line: m, or coordinates of --crs")
       ->type_name("X,Z")
       ->required();
-  command->add_option("--to", arguments->to, "end of the line, in m")->type_name("X,Z")->required();
+  command->add_option("--to", arguments->to, "end of the line, as --from")->type_name("X,Z")->required();
   arguments->places.add_to(*command);
-  arguments->settings.add_to(*command, {{&ProfileSettings::step_m,
-                                         {.key = "step_m",
-                                          .unit = "m",
-                                          .low = 1e-3,
-                                          .high = 1e6,
-                                          .help = "largest distance between heights",
-                                          .example = "10",
-                                          .absent = "the spacing of the posts"}}});
+  arguments->settings.add_to(*command,
+                             {{&ProfileSettings::step_m,
+                               {.key = "step_m",
+                                .unit = "m",
+                                .low = 1e-3,
+                                .high = 1e6,
+                                .help = "largest distance between heights, which are equally spaced",
+                                .example = "10",
+                                .absent = "the spacing of the posts"}}});
   arguments->curve.add_to(*command);
   command->add_option("-o,--output", arguments->output, "CSV file to write (- or default: standard output)")
       ->type_name("FILE");

@@ -227,9 +227,9 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->cache.add_to(*command);
   command
       ->add_option("--from", arguments->from,
-                   "start of the ray, in m; with --crs the place, and then its height")
+                   "start of the ray: m, or coordinates of --crs and then the height")
       ->type_name("X,Y,Z");
-  command->add_option("--to", arguments->to, "point on the ray where it ends, in m")
+  command->add_option("--to", arguments->to, "point on the ray where it ends, as --from")
       ->type_name("X,Y,Z")
       ->needs("--from");
   command

@@ -216,8 +216,8 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "direction of the sun, azimuth clockwise from north (default 225,30)");
   arguments->settings.add_to(*command, picture_rows(), "Picture");
   add("--colour", arguments->colour, "FILE",
-      "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference, or without one "
-      "stretched over the map");
+      "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference; stretched "
+      "over the map if it has none");
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);

@@ -117,8 +117,7 @@ void run_sky(const TerrainSkyArguments& arguments, const GlobalOptions& options)
 
 void add_terrain_sky_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainSkyArguments>();
-  CLI::App* command =
-      terrain.add_subcommand("sky", "map how much of the sky the ground sees, and its horizons, as GeoTIFFs");
+  CLI::App* command = terrain.add_subcommand("sky", "write the sky-view factor and horizons of each post");
   arguments->input.add_to(*command);
   arguments->settings.add_to(
       *command, {{&SkySettings::azimuths,

@@ -239,27 +239,28 @@ scene::Parameter place_facts(std::string_view key, std::string_view flag, std::s
 }
 
 std::vector<scene::Row<SunCommandSettings>> sun_rows() {
-  return {{&SunCommandSettings::turbidity,
-           {.key = "turbidity",
-            .low = 1.0,
-            .high = 20.0,
-            .help = "Linke turbidity: how many clean, dry atmospheres dim the sun as the air does; 2 in "
-                    "mountains, 3 in clear air, 5 in haze"}},
-          {&SunCommandSettings::azimuths,
-           {.key = "azimuths",
-            .low = static_cast<double>(terrain::fewest_azimuths),
-            .high = static_cast<double>(terrain::most_azimuths),
-            .help = "azimuths in which horizons are found; between them they are linear"}},
-          {&SunCommandSettings::utc_offset_h,
-           {.key = "utc_offset_h",
-            .unit = "h",
-            .low = -14.0,
-            .high = 14.0,
-            .help = "how far the clock of --from and --to is ahead of UTC"}},
-          {&SunCommandSettings::latitude_rad,
-           place_facts("world.latitude_deg", "--latitude-deg", "latitude of the whole map; its north is up")},
-          {&SunCommandSettings::longitude_rad, place_facts("world.longitude_deg", "--longitude-deg",
-                                                           "longitude of the whole map, east positive")}};
+  return {
+      {&SunCommandSettings::turbidity,
+       {.key = "turbidity",
+        .low = 1.0,
+        .high = 20.0,
+        .help = "Linke turbidity: number of clean, dry atmospheres that dim the sun as much; 2 in "
+                "mountains, 3 in clear air, 5 in haze"}},
+      {&SunCommandSettings::azimuths,
+       {.key = "azimuths",
+        .low = static_cast<double>(terrain::fewest_azimuths),
+        .high = static_cast<double>(terrain::most_azimuths),
+        .help = "azimuths in which horizons are found; between them they are linear"}},
+      {&SunCommandSettings::utc_offset_h,
+       {.key = "utc_offset_h",
+        .unit = "h",
+        .low = -14.0,
+        .high = 14.0,
+        .help = "how far the clock of --from and --to is ahead of UTC"}},
+      {&SunCommandSettings::latitude_rad,
+       place_facts("world.latitude_deg", "--latitude-deg", "latitude used for the whole map, with north up")},
+      {&SunCommandSettings::longitude_rad, place_facts("world.longitude_deg", "--longitude-deg",
+                                                       "longitude used for the whole map, east positive")}};
 }
 
 }  // namespace
@@ -276,7 +277,7 @@ void add_terrain_sun_command(CLI::App& terrain, GlobalOptions& options) {
       "first day, such as 2026-06-21, or time, such as 2026-06-21T09:30; UTC")
       ->required();
   add("--to", arguments->to, "DATE", "last day, which counts whole, or time")->required();
-  add("--step", arguments->step, "TIME", "time between suns, with its unit s, min or h; default 1h");
+  add("--step", arguments->step, "TIME", "time between sun positions, with its unit s, min or h; default 1h");
   arguments->settings.add_to(*command, sun_rows());
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE",
@@ -288,10 +289,11 @@ void add_terrain_sun_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-The sun shines where part of its disc is above the horizon of the terrain, lifted by refraction as almanacs
-have it: over level ground from -0.833 degrees on. Sunlight is that of the clear-sky model of Ineichen and
-Perez on the ground as it slopes. Meridian convergence of the map is taken into account. A map without a
-place in the world needs --latitude-deg and --longitude-deg. The rasters have the georeference of the map.
+The sun shines where part of its disc is above the horizon of the terrain, lifted by refraction as in
+almanacs: on level ground, when its centre is above -0.833 degrees. Sunlight follows the clear-sky model of
+Ineichen and Perez, on the ground as it slopes. Meridian convergence of the map is taken into account. A map
+without a place in the world needs --latitude-deg and --longitude-deg. The rasters have the georeference of
+the map.
 
 Examples:
   offing terrain sun S33W071.tif --from 2026-01-01 --to 2026-12-31 --step 1h -o year.tif

@@ -101,14 +101,14 @@ std::vector<scene::Row<ViewshedSettings>> angle_rows() {
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "where the sector that the observer looks at begins, clockwise from north",
+            .help = "start of the observer's sector, clockwise from north",
             .scale = radians_per_degree}},
           {&ViewshedSettings::azimuth_to_rad,
            {.key = "azimuth_to_deg",
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "where the sector ends, clockwise from its start; 360 degrees apart are all azimuths",
+            .help = "end of the sector, clockwise from its start; 360 degrees apart are all azimuths",
             .scale = radians_per_degree}},
           {&ViewshedSettings::lowest_rad,
            {.key = "lowest_deg",
@@ -125,7 +125,7 @@ std::vector<scene::Row<ViewshedSettings>> angle_rows() {
             .help = "highest angle at which the observer looks, up from level",
             .scale = radians_per_degree}},
           {scene::choice(&ViewshedSettings::outside, {"hidden", "nodata"}),
-           {.key = "outside", .help = "what posts beyond the radius and the angles are in the raster"}}};
+           {.key = "outside", .help = "value of posts outside the radius and angles"}}};
 }
 
 std::vector<scene::Row<ViewshedSettings>> best_rows() {
@@ -574,14 +574,14 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
 
 void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainViewshedArguments>();
-  CLI::App* command =
-      terrain.add_subcommand("viewshed", "map the ground that is visible from a point, as a GeoTIFF");
+  CLI::App* command = terrain.add_subcommand(
+      "viewshed", "write a viewshed as a GeoTIFF: the posts seen from one or more observers");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
-  add("--observer", arguments->observer, "X,Z", "position of the observer, in m, or in the system of --crs");
+  add("--observer", arguments->observer, "X,Z", "place of the observer: m, or coordinates of --crs");
   arguments->places.add_to(*command);
   arguments->settings.add_to(*command, viewshed_rows());
   arguments->more.add_to(*command, angle_rows());
@@ -589,7 +589,8 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write (.tif), complete or not at all")
       ->required();
   add("--needed", arguments->needed, "FILE",
-      "also write a GeoTIFF of the height above ground that a target needs to be seen, in m; takes longer");
+      "also write a GeoTIFF of the smallest height above ground at which a target is seen, in m; takes "
+      "longer");
   constexpr const char* many = "Many observers";
   CLI::Option* points = add("--points", arguments->points, "FILE",
                             (points_help(observer_columns().numbers, "points") +
@@ -599,7 +600,8 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
                             ->group(many)
                             ->excludes(command->get_option("--observer"));
   add_layer_option(*command, arguments->layer, many);
-  add("--union", arguments->united, "FILE", "also write a GeoTIFF of what at least one observer sees")
+  add("--union", arguments->united, "FILE",
+      "also write a GeoTIFF of the posts that at least one observer sees")
       ->group(many)
       ->needs(points);
   add("--shares", arguments->shares, "FILE",
@@ -613,13 +615,13 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(
 {}
-The raster has one byte per post and the georeference of the map: 255 visible, 0 hidden, 128 (nodata) where
-the map has a void. Visibility is exact: it follows the surface between the posts instead of stepping from
+The raster has one byte per post and the georeference of the map: 255 seen, 0 hidden, 128 (nodata) where the
+map has a void. What is seen is exact: it follows the surface between the posts instead of stepping from
 post to post. For a tile store, the raster covers the square that --radius-m reaches, in full detail.
 --cache-mb must be large enough for it, at 12 bytes per post.
 
-With --points, the raster has 16 bits per post: how many observers see it, 65535 (nodata) where the map has a
-void. Counts are sums of what --observer writes for each observer.
+With --points, the raster has 16 bits per post: how many observers see it, 65535 (nodata) where the map has
+a void. A count is the sum of the viewsheds of single observers.
 
 Examples:
   offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif

@@ -241,8 +241,8 @@ std::vector<Row<TerrainScene>> place_rows() {
         .absent = "from the file's latitude, else 2800"}},
       {&TerrainScene::colour,
        {.key = "colour",
-        .help = "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference, or without "
-                "one stretched over the map",
+        .help = "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference; stretched "
+                "over the map if it has none",
         .example = "orthophoto.tif",
         .absent = "none: colours by height and slope",
         .rule = ParameterRule::file_name}},

@@ -113,14 +113,13 @@ Schema<ViewScene> walk_schema() {
 
 Schema<ViewScene> render_schema() {
   Schema<ViewScene> schema("render");
-  return schema.rows(
-      ParameterGroup::render, Affects::view,
-      {{&ViewScene::exposure_ev,
-        {.key = "exposure_ev",
-         .low = -20.0,
-         .high = 20.0,
-         .help = "exposure correction in stops; 0 keeps the exposure that the light at the eye gives",
-         .motion = keyed}}});
+  return schema.rows(ParameterGroup::render, Affects::view,
+                     {{&ViewScene::exposure_ev,
+                       {.key = "exposure_ev",
+                        .low = -20.0,
+                        .high = 20.0,
+                        .help = "exposure correction in stops; 0 is automatic exposure",
+                        .motion = keyed}}});
 }
 
 Schema<BookmarkScene> bookmark_schema() {
