@@ -247,6 +247,35 @@ TEST_F(HighlightTracksTest, GoingBackTakesTheSurfaceAlong) {
   EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 1.0, 1e-9);
 }
 
+// Times between two steps are shown, then the earlier step. Fails if the surface stays as it was between
+// them.
+TEST_F(HighlightTracksTest, AStepTakesTheSurfaceBack) {
+  const test::ExampleSurface start = test::ellipsoid(2, glm::dvec3(1.0));
+  HighlightSurface shape = surface(start);
+  const TrackOptions options;
+  HighlightTracker tracks(
+      shape,
+      [&](double time_s) {
+        const test::ExampleSurface now =
+            test::moved(start, glm::dmat3(1.0), {0.0, time_s / options.step_s, 0.0});
+        shape.deform(now.mesh.positions_m, now.mesh.normals, now.curvatures);
+        return circling(0.0);
+      },
+      options);
+  const double start_m = start.mesh.positions_m[0].y;
+  const auto steps = [&] { return shape.mesh().positions_m[0].y - start_m; };
+  tracks.shown_at(1.5 * options.step_s);
+  EXPECT_NEAR(steps(), 1.5, 1e-9);
+  tracks.shown_at(1.0 * options.step_s);
+  EXPECT_NEAR(steps(), 1.0, 1e-9);
+  tracks.shown_at(1.25 * options.step_s);
+  tracks.advance_to(1.25 * options.step_s);
+  EXPECT_NEAR(steps(), 1.0, 1e-9);
+  const auto revision = shape.revision();
+  tracks.shown_at(1.0 * options.step_s);
+  EXPECT_EQ(shape.revision(), revision) << "it is that of this step already";
+}
+
 // Fails if a state of another mesh, or one that was damaged, is taken, or changes anything.
 TEST_F(HighlightTracksTest, StatesThatCannotBeAreErrors) {
   const HighlightSurface shape = surface(test::ellipsoid(2, glm::dvec3(1.0)));

@@ -60,8 +60,17 @@ double HighlightTracker::time_s() const {
   return time_of(state_.step);
 }
 
+Lighting HighlightTracker::light_at(double time_s) {
+  lit_at_s_ = time_s;
+  return lighting_(time_s);
+}
+
+void HighlightTracker::settle() {
+  if (lit_at_s_ != time_s()) light_at(time_s());  // shown_at() has left another surface
+}
+
 void HighlightTracker::light_up(std::int64_t step) {
-  lit_by_ = lighting_(time_of(step));
+  lit_by_ = light_at(time_of(step));
   if (!options_.has_shadows) return;
   if (!shadow_ || shadow_->revision() != surface_->revision()) shadow_.emplace(*surface_);
 }
@@ -88,6 +97,11 @@ void HighlightTracker::reset(double start_s, KeyStates keys) {
 }
 
 void HighlightTracker::advance_to(double time_s) {
+  step_to(time_s);
+  settle();
+}
+
+void HighlightTracker::step_to(double time_s) {
   require_within("highlights.time_s", time_s, start_s_, largest_time_s);
   const auto wanted =
       static_cast<std::int64_t>(std::floor((time_s - start_s_) / options_.step_s + same_share));
@@ -101,7 +115,6 @@ void HighlightTracker::advance_to(double time_s) {
     state_ = std::move(*next_);
     next_.reset();
     keep_if_key();
-    if (state_.step == wanted) lighting_(time_of(wanted));  // shown_at() may have left another surface
   }
   while (state_.step < wanted) {
     step_on(state_);
@@ -110,15 +123,18 @@ void HighlightTracker::advance_to(double time_s) {
 }
 
 const TrackState& HighlightTracker::shown_at(double time_s) {
-  advance_to(time_s);
+  step_to(time_s);
   const double share = (time_s - time_of(state_.step)) / options_.step_s;
-  if (share <= same_share) return state_;
+  if (share <= same_share) {
+    settle();
+    return state_;
+  }
   if (!next_) {
     TrackState next = state_;
     step_on(next);
     next_ = std::move(next);
   }
-  lighting_(time_s);  // makes the surface that of this time
+  light_at(time_s);
   shown_ = tracks_between(*surface_, state_, *next_, share);
   return shown_;
 }

@@ -55,8 +55,13 @@ class HighlightTracker {
 
  private:
   double time_of(std::int64_t step) const;
+  /// Makes lights and surface those of a time.
+  Lighting light_at(double time_s);
   /// Makes lights, surface and shadows those of a step.
   void light_up(std::int64_t step);
+  void step_to(double time_s);
+  /// Makes the surface that of the last step.
+  void settle();
   double lit_share(const HighlightTrack& track) const;
   void step_on(TrackState& state);
   void go_back_to(const TrackState& state);
@@ -66,6 +71,7 @@ class HighlightTracker {
   LightingAt lighting_;
   TrackOptions options_;
   HighlightFinder search_;
+  double lit_at_s_ = 0.0;              // the time that the surface is of
   Lighting lit_by_;                    // of the last light_up()
   std::optional<LightShadow> shadow_;  // of the surface as it was then; none: not asked for
   double start_s_ = 0.0;
