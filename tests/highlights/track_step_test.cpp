@@ -54,7 +54,7 @@ TEST_F(TrackStepTest, HighlightsMergeAndSplitWithWeights) {
   const auto points = [this](double apart_m) {
     return std::vector<HighlightPoint>{point_at(0.0, 0.0), point_at(apart_m, 0.0)};
   };
-  TrackState state = first_state(points(1.0), options_);
+  TrackState state = first_state(shape_, points(1.0), options_);
   EXPECT_EQ(state.tracks[1].opacity, 1.0);
   double least = 1.0, last = 1.0;
   for (int step = 0; step <= 400; ++step) {
@@ -74,7 +74,7 @@ TEST_F(TrackStepTest, HighlightsMergeAndSplitWithWeights) {
 // show at least one full highlight but for what a fade takes.
 TEST_F(TrackStepTest, AnHeirTakesOverTheRegion) {
   const HighlightPoint first = point_at(0.0, 0.0), second = point_at(0.05, 0.0);
-  TrackState state = first_state({first, second}, options_);
+  TrackState state = first_state(shape_, {first, second}, options_);
   ASSERT_EQ(state.tracks[1].opacity, 0.0);
   for (int step = 0; step < 30; ++step) {
     advance(shape_, {second}, options_, state);
@@ -97,7 +97,7 @@ TEST_F(TrackStepTest, ShadowsFadeHighlightsWithinTheLimits) {
     return lit;
   };
   const std::vector<HighlightPoint> points{point_at(0.0, 0.0), point_at(0.01, 0.0)};
-  TrackState state = first_state(points, options_, lit_share);
+  TrackState state = first_state(shape_, points, options_, lit_share);
   ASSERT_EQ(state.tracks[0].opacity, 1.0);
   ASSERT_EQ(state.tracks[1].share, 0.0);
   double last = 1.0;
@@ -114,14 +114,14 @@ TEST_F(TrackStepTest, ShadowsFadeHighlightsWithinTheLimits) {
   EXPECT_EQ(asked, 41);
   // One that begins in the dark is not shown.
   lit = 0.0;
-  EXPECT_EQ(first_state(points, options_, lit_share).tracks[0].opacity, 0.0);
+  EXPECT_EQ(first_state(shape_, points, options_, lit_share).tracks[0].opacity, 0.0);
 }
 
 // A point that a noisy surface loses for some steps is the same when it is back; one that has faded out is
 // another.
 TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
   const std::vector<HighlightPoint> points{point_at(0.0, 0.0)};
-  TrackState state = first_state(points, options_);
+  TrackState state = first_state(shape_, points, options_);
   for (int step = 0; step < 5; ++step) advance(shape_, {}, options_, state);
   advance(shape_, points, options_, state);
   ASSERT_EQ(state.tracks.size(), 1u);
@@ -137,7 +137,7 @@ TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
 TEST_F(TrackStepTest, HumpsAndSaddlesAreNotTakenForOneAnother) {
   HighlightPoint saddle = point_at(0.01, 0.0);
   saddle.orientation = -1;
-  TrackState state = first_state({point_at(0.0, 0.0), saddle}, options_);
+  TrackState state = first_state(shape_, {point_at(0.0, 0.0), saddle}, options_);
   HighlightPoint moved_saddle = point_at(0.0, 0.01);
   moved_saddle.orientation = -1;
   advance(shape_, {moved_saddle, point_at(0.01, 0.0)}, options_, state);
@@ -150,7 +150,7 @@ TEST_F(TrackStepTest, HumpsAndSaddlesAreNotTakenForOneAnother) {
 // one, or spins where curvatures are so alike that noise decides about their direction.
 TEST_F(TrackStepTest, AxesDoNotTurnOverNorFollowNoise) {
   HighlightPoint point = point_at(0.0, 0.0);
-  TrackState state = first_state({point}, options_);
+  TrackState state = first_state(shape_, {point}, options_);
   const Projector start = state.tracks[0].projector;
   for (int step = 0; step < 50; ++step) {
     point.e_max = -point.e_max;
@@ -170,7 +170,7 @@ TEST_F(TrackStepTest, AxesDoNotTurnOverNorFollowNoise) {
 // What is shown follows a point that runs, tilts, turns and shrinks faster than the limits, and arrives.
 // Fails if a limit is exceeded in any step, or if it never gets there.
 TEST_F(TrackStepTest, LimitsHoldAndThePointIsReached) {
-  TrackState state = first_state({point_at(0.0, 0.0)}, options_);
+  TrackState state = first_state(shape_, {point_at(0.0, 0.0)}, options_);
   HighlightPoint point = point_at(0.0, 0.1);
   point.normal = glm::normalize(glm::dvec3(0.5, 0.3, 1.0));
   point.e_max = glm::normalize(glm::cross(glm::dvec3(0.3, -1.0, 0.2), point.normal));

@@ -63,7 +63,7 @@ struct AgedPoint {
 
 std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std::vector<AgedPoint>& before,
                             double reach_m, const LightShadow& shadow, const Source& light,
-                            const HighlightSize& size) {
+                            const HighlightSurface& surface, const HighlightSize& size) {
   std::vector<AgedPoint> result;
   for (const HighlightPoint& point : points) {
     const AgedPoint* nearest = nullptr;
@@ -74,7 +74,7 @@ std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std
       least_m = distance_m;
       nearest = &old;
     }
-    const bool is_lit = shadow.lit_share(projector_at(point, size), light) > 0.5;
+    const bool is_lit = shadow.lit_share(projector_at(surface, point, size), light) > 0.5;
     result.push_back({point, nearest == nullptr || !is_lit ? 0 : nearest->frames + 1, is_lit});
   }
   return result;
@@ -163,7 +163,7 @@ Coherence turn(world::WorldMesh& view, const TurningMesh& turning) {
     const RigidMotion motion = turning.motion(surface, time_s);
     const Lighting lighting = turning.lighting(surface, time_s);
     points = aged(search.find(surface, lighting), points, 0.03 * diagonal_m, shadow, lighting.lights[0],
-                  view.tracks()->options().size);
+                  surface, view.tracks()->options().size);
     for (const AgedPoint& point : points) {
       result.in_shadow += point.is_lit ? 0 : 1;
       if (point.frames < grown_up_frames) continue;

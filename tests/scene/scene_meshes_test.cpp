@@ -52,7 +52,8 @@ void expect_near(const glm::dvec3& found, const glm::dvec3& expected) {
 // has 2,880 faces.
 TEST(SceneMeshes, ShapesAreMade) {
   const auto meshes = prepare_meshes(
-      scene_of("[[mesh]]\n[[mesh]]\nshape = \"sphere\"\nsize_m = 3\nscale = 2\ndetail = 1\nname = \"ball\"\n"
+      scene_of("[[mesh]]\nflat_limit = \"edges\"\n[[mesh]]\nshape = \"sphere\"\nsize_m = 3\nscale = "
+               "2\ndetail = 1\nname = \"ball\"\n"
                "smoothing_rounds = 4\nthreshold = 0.9\ncap_radius_m = 0.5\nhighlights = \"off\"\n"));
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].mesh->faces.size(), 2880u);
@@ -73,6 +74,8 @@ TEST(SceneMeshes, ShapesAreMade) {
   EXPECT_EQ(ball.tracks.size.cap_radius_m, 0.5);
   EXPECT_FALSE(ball.has_highlights);
   EXPECT_TRUE(meshes[0].has_highlights);
+  EXPECT_EQ(ball.tracks.size.flat_limit, highlights::FlatLimit::surface);
+  EXPECT_EQ(meshes[0].tracks.size.flat_limit, highlights::FlatLimit::mean_edges);
 }
 
 // Fails if a shape that a scene can name cannot be made at all details.

@@ -60,8 +60,8 @@ const HighlightRule as_found;
 }  // namespace
 
 HighlightDrawing::HighlightDrawing(const HighlightSurface& surface, const HighlightSize& size)
-    : surface_(&surface), size_(size), regions_(surface) {
-  projector_at({}, size);
+    : surface_(&surface), size_(with_cap(size, surface)), regions_(surface) {
+  require_valid(size);
 }
 
 void HighlightDrawing::update(const TrackState& state, const std::vector<HighlightRule>& rules,
@@ -118,7 +118,7 @@ void HighlightDrawing::add_pin(const HighlightRule& rule, int index) {
        .rule = index,
        .light = rule.light.value_or(0),
        .opacity = 1.0,
-       .projector = first_projector(pinned_point(*surface_, pin->place), size_),
+       .projector = first_projector(*surface_, pinned_point(*surface_, pin->place), size_),
        .place = pin->place,
        .controls = rule.controls},
       rule);

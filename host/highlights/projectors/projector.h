@@ -19,24 +19,42 @@ struct Projector {
   bool operator==(const Projector&) const = default;
 };
 
+/// What limits highlights where a surface is flat.
+enum class FlatLimit {
+  surface,     ///< where its normal has turned by twice the angle at the rim, whatever the triangles
+  mean_edges,  ///< three mean edges, as printed (H5)
+};
+
 /// How large highlights are.
 struct HighlightSize {
   double threshold = 0.95;    ///< N.H at the rim: 0 ... 1
-  double cap_radius_m = 0.0;  ///< largest half width, for flat places: above 0
+  double cap_radius_m = 0.0;  ///< largest half width, for flat places; 0: as `flat_limit` says
+  FlatLimit flat_limit = FlatLimit::surface;
 };
 
-/// The size of H5: capped at three mean edges, as the curvatures are no better known than that.
-HighlightSize default_size(const HighlightSurface& surface);
+/// Throws Error(bad_input) that names the value which is out of range.
+void require_valid(const HighlightSize& size);
 
-/// Full width along a direction of this curvature: min(2 cap, 2 / |k| sqrt(1 - threshold^2)).
+/// The same size with the cap that it has on a surface: it stays 0 for FlatLimit::surface.
+HighlightSize with_cap(const HighlightSize& size, const HighlightSurface& surface);
+
+/// Full width along a direction of this curvature: min(2 cap, 2 / |k| sqrt(1 - threshold^2)). No cap:
+/// infinite where flat.
 double width_m(double curvature_per_m, const HighlightSize& size);
+
+/// The same at a point of a surface along a unit direction across its normal. Without a cap, each half ends
+/// where the line over the surface has turned away by twice the angle at the rim, or after a quarter of the
+/// diagonal; the width is that of both halves.
+double width_along(const HighlightSurface& surface, const HighlightPoint& point, const glm::dvec3& direction,
+                   const HighlightSize& size);
 
 /// Curvature of a point along a unit direction across its normal (Euler).
 double curvature_along(const HighlightPoint& point, const glm::dvec3& direction);
 
 /// The projector of a point: right = e_max, up = e_min = normal x e_max. Throws Error(bad_input) for a size
 /// out of range.
-Projector projector_at(const HighlightPoint& point, const HighlightSize& size);
+Projector projector_at(const HighlightSurface& surface, const HighlightPoint& point,
+                       const HighlightSize& size);
 
 /// Mesh space -> the projector's: the box is -1 ... 1 in x and y; z grows along the normal, in units of the
 /// larger half width.

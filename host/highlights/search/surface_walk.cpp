@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -123,6 +124,23 @@ SurfacePlace line_end(const HighlightSurface& surface, const SurfacePlace& from,
   return Line::place(*here, length_m);
 }
 
+/// Whether a line leaves the surface through this edge of its face: no other face has both of its ends.
+bool is_border(const HighlightSurface& surface, const SurfacePlace& rim) {
+  const VertexLinks& links = surface.links();
+  const auto has_corner = [&](std::uint32_t face, std::uint32_t place) {
+    return std::ranges::any_of(surface.mesh().faces[face],
+                               [&](std::uint32_t corner) { return links.place_of(corner) == place; });
+  };
+  std::vector<std::uint32_t> ends;
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t corner = surface.mesh().faces[rim.face][static_cast<std::size_t>(i)];
+    if (rim.weights[i] > 0.0) ends.push_back(links.place_of(corner));
+  }
+  return std::ranges::none_of(links.faces_at(ends.front()), [&](std::uint32_t face) {
+    return face != rim.face && has_corner(face, ends.back());
+  });
+}
+
 // As many for every length: a number that grew with it would jump.
 constexpr int steps = 16;
 // Each round of a step shrinks its error by about the turn of the normal within it.
@@ -177,6 +195,33 @@ SurfaceWalk walk_over(const HighlightSurface& surface, const SurfacePlace& from,
   for (int step = 0; step < steps; ++step) walker = stepped(surface, walker, length_m / steps);
   return {walker.place, walker.position_m - start.position_m,
           axes_of(walker) * glm::transpose(axes_of(start))};
+}
+
+double facing_length_m(const HighlightSurface& surface, const SurfacePlace& from, const glm::dvec3& direction,
+                       double least_cosine, double most_m) {
+  const glm::dvec3 start_m = position_at(surface, from), normal = normal_at(surface, from);
+  const glm::dvec3 flat = direction - glm::dot(direction, normal) * normal;
+  if (!(glm::length(flat) > 1e-9)) return most_m;
+  const Line line(surface, start_m, glm::normalize(flat), normal);
+  std::optional<Crossing> here = line.crossing(from.face);
+  if (!here || !line.goes_on(*here, 0.0, start_m)) here = line.next(from.face, 0.0, start_m);
+  const auto cosine_at = [&](const SurfacePlace& place) {
+    return glm::dot(normal_at(surface, place), normal);
+  };
+  double at_m = 0.0, cosine = 1.0;
+  while (here && at_m < most_m) {
+    const SurfacePlace rim{here->face, here->out};
+    const double rim_cosine = cosine_at(rim);
+    if (rim_cosine < least_cosine) {
+      const double share = cosine > least_cosine ? (cosine - least_cosine) / (cosine - rim_cosine) : 0.0;
+      return std::min(most_m, at_m + share * (here->out_m - at_m));
+    }
+    at_m = here->out_m;
+    here = line.next(here->face, at_m, position_at(surface, rim));
+    if (!here) return is_border(surface, rim) ? most_m : std::min(most_m, at_m);
+    cosine = cosine_at({here->face, here->in});  // not that of the rim where normals have an edge
+  }
+  return most_m;
 }
 
 }  // namespace offing::highlights

@@ -23,4 +23,10 @@ struct SurfaceWalk {
 SurfaceWalk walk_over(const HighlightSurface& surface, const SurfacePlace& from, const glm::dvec3& direction,
                       double length_m);
 
+/// How far a line from a place goes over the surface, seen along the normal there, until the normal has
+/// turned away so that both have this cosine, or until the surface folds away: at most `most_m`. A border
+/// ends no line. Between places where it crosses edges, cosines are interpolated.
+double facing_length_m(const HighlightSurface& surface, const SurfacePlace& from, const glm::dvec3& direction,
+                       double least_cosine, double most_m);
+
 }  // namespace offing::highlights

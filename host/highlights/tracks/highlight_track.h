@@ -24,7 +24,7 @@ struct TrackLimits {
 /// How highlights are followed over time.
 struct TrackOptions {
   double step_s = 1.0 / 60.0;  ///< time between searches
-  HighlightSize size{};        ///< a cap of 0 stands for that of default_size()
+  HighlightSize size{};
   TrackLimits limits{};
   /// How far from where it is expected a highlight may appear and still be the same, and how far behind what
   /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.

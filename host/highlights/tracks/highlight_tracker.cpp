@@ -48,7 +48,7 @@ HighlightTracker::HighlightTracker(const HighlightSurface& surface, LightingAt l
                                    const TrackOptions& options)
     : surface_(&surface), lighting_(std::move(lighting)), options_(options), search_(surface.device()) {
   require_valid(options_);
-  if (options_.size.cap_radius_m == 0.0) options_.size.cap_radius_m = default_size(surface).cap_radius_m;
+  options_.size = with_cap(options_.size, surface);
   reset(0.0);
 }
 
@@ -88,7 +88,7 @@ void HighlightTracker::reset(double start_s, KeyStates keys) {
   start_s_ = start_s;
   light_up(0);
   next_.reset();
-  state_ = first_state(search_.find(*surface_, lit_by_), options_,
+  state_ = first_state(*surface_, search_.find(*surface_, lit_by_), options_,
                        [this](const HighlightTrack& track) { return lit_share(track); });
   take_places(places_, surface_->diagonal_m(), state_);
   keys_.assign(1, state_);

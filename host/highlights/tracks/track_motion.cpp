@@ -56,8 +56,9 @@ double scaled_toward(double from_m, double to_m, double limit) {
 
 }  // namespace
 
-Projector first_projector(const HighlightPoint& point, const HighlightSize& size) {
-  Projector projector = projector_at(point, size);
+Projector first_projector(const HighlightSurface& surface, const HighlightPoint& point,
+                          const HighlightSize& size) {
+  Projector projector = projector_at(surface, point, size);
   const glm::dvec3& up = projector.up;
   if (up.y < 0.0 || (up.y == 0.0 && up.x < 0.0)) {
     projector.right = -projector.right;
@@ -86,10 +87,8 @@ void follow_point(const HighlightSurface& surface, const TrackOptions& options, 
               std::max(limits.turn_radps * options.step_s, limits.turn_per_rad * track.steady_turn_rad),
               shown);
   const double limit = limits.scale_per_s * options.step_s;
-  shown.width_m =
-      scaled_toward(shown.width_m, width_m(curvature_along(point, shown.right), options.size), limit);
-  shown.height_m =
-      scaled_toward(shown.height_m, width_m(curvature_along(point, shown.up), options.size), limit);
+  shown.width_m = scaled_toward(shown.width_m, width_along(surface, point, shown.right, options.size), limit);
+  shown.height_m = scaled_toward(shown.height_m, width_along(surface, point, shown.up, options.size), limit);
 }
 
 }  // namespace offing::highlights

@@ -24,11 +24,12 @@ constexpr double revival_share = 0.4;
 // they are two from `parted` on.
 constexpr double united = 0.25, parted = 0.75;
 
-HighlightTrack born(const HighlightPoint& point, const TrackOptions& options, std::uint64_t id) {
+HighlightTrack born(const HighlightSurface& surface, const HighlightPoint& point, const TrackOptions& options,
+                    std::uint64_t id) {
   HighlightTrack track;
   track.id = id;
   track.point = point;
-  track.projector = first_projector(point, options.size);
+  track.projector = first_projector(surface, point, options.size);
   track.seed_face = point.face;
   return track;
 }
@@ -124,7 +125,7 @@ void match(const HighlightSurface& surface, const std::vector<HighlightPoint>& p
     if (track_is_taken[t] == 0) tracks[t].state = HighlightTrack::State::fading;
   }
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (point_is_taken[p] == 0) tracks.push_back(born(points[p], options, state.next_id++));
+    if (point_is_taken[p] == 0) tracks.push_back(born(surface, points[p], options, state.next_id++));
   }
 }
 
@@ -179,8 +180,7 @@ bool is_over(const HighlightTrack& track) {
 
 void require_valid(const TrackOptions& options) {
   require_within("highlights.step_s", options.step_s, 1e-4, 1.0);
-  require_within("highlights.threshold", options.size.threshold, 0.0, 1.0 - 1e-9);
-  require_within("highlights.cap_radius_m", options.size.cap_radius_m, 0.0, 1e12);
+  require_valid(options.size);
   require_within("highlights.move_per_s", options.limits.move_per_s, 1e-3, 1e3);
   require_within("highlights.scale_per_s", options.limits.scale_per_s, 1e-3, 1e3);
   require_within("highlights.turn_radps", options.limits.turn_radps, 1e-3, 1e3);
@@ -192,11 +192,11 @@ void require_valid(const TrackOptions& options) {
   require_within("highlights.key_steps", options.key_steps, 1, 1e6);
 }
 
-TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
-                       const LitShare& lit_share) {
+TrackState first_state(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
+                       const TrackOptions& options, const LitShare& lit_share) {
   TrackState state;
   for (const HighlightPoint& point : points) {
-    state.tracks.push_back(born(point, options, state.next_id++));
+    state.tracks.push_back(born(surface, point, options, state.next_id++));
     state.tracks.back().presence = 1.0;
   }
   share_regions(state.tracks);

@@ -13,8 +13,8 @@ namespace offing::highlights {
 using LitShare = std::function<double(const HighlightTrack& track)>;
 
 /// What highlights are shown when nothing was shown before: one for each point, as opaque as it is lit.
-TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
-                       const LitShare& lit_share = {});
+TrackState first_state(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
+                       const TrackOptions& options, const LitShare& lit_share = {});
 
 /// One step on (H10, H11 of docs/sources.md). Points become those of the tracks of their light and
 /// orientation that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die

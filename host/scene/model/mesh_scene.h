@@ -52,6 +52,7 @@ struct MeshScene {
   int smoothing_rounds = 0;
   double threshold = 0.95;
   std::optional<double> cap_radius_m;
+  highlights::FlatLimit flat_limit = highlights::FlatLimit::surface;  ///< without cap_radius_m
   MeshHighlights shown = MeshHighlights::on;
   std::vector<HighlightScene> highlights;
 };

@@ -136,7 +136,9 @@ world::MeshParameters parameters_of(const Scene& scene, std::size_t index, const
   parameters.motion = motion_of(scene, index);
   parameters.surface.smoothing_rounds = mesh.smoothing_rounds;
   parameters.has_highlights = mesh.shown == MeshHighlights::on;
-  parameters.tracks.size = {.threshold = mesh.threshold, .cap_radius_m = mesh.cap_radius_m.value_or(0.0)};
+  parameters.tracks.size = {.threshold = mesh.threshold,
+                            .cap_radius_m = mesh.cap_radius_m.value_or(0.0),
+                            .flat_limit = mesh.flat_limit};
   return parameters;
 }
 

@@ -48,6 +48,10 @@ std::string needs_highlights(const UseContext&, const MeshScene& mesh) {
   return mesh.shown == MeshHighlights::on ? "" : "the mesh's highlights are off";
 }
 
+std::string needs_no_cap(const UseContext& context, const MeshScene& mesh) {
+  return mesh.cap_radius_m ? "mesh.cap_radius_m is given" : needs_highlights(context, mesh);
+}
+
 std::vector<Row<MeshScene>> mesh_form_rows() {
   static const std::string size_help = "size of a shape: " + mesh_shapes::meaning_of_size();
   return {{&MeshScene::name,
@@ -229,8 +233,13 @@ std::vector<Row<MeshScene>> highlight_rows() {
             .high = 1e5,
             .help = "largest half width of a highlight, which limits highlights on flat places",
             .example = "0.2",
-            .absent = "three mean edge lengths of the mesh"},
-           needs_highlights}};
+            .absent = "none: uses flat_limit"},
+           needs_highlights},
+          {choice(&MeshScene::flat_limit, {"surface", "edges"}),
+           {.key = "flat_limit",
+            .help = "what limits highlights on flat places: the bend of the surface around them, or three "
+                    "mean edge lengths of the mesh"},
+           needs_no_cap}};
 }
 
 }  // namespace

@@ -94,6 +94,7 @@ TEST_F(HighlightPassTest, DrawsShapesInTheirBoxAndNothingBeyond) {
   for (int kind = 0; kind < 6; ++kind) {
     const auto texture = static_cast<HighlightTexture>(kind);
     world::MeshParameters mesh = shining(mesh_shapes::make_ellipsoid({1.0, 0.8, 0.9}, 4), texture, 0.25);
+    mesh.tracks.size.flat_limit = highlights::FlatLimit::mean_edges;  // all of the box within the outline
     mesh.rules[0].controls.scale = 2.0;
     mesh.rules[0].controls.rotation_rad = 0.4;
     open(mesh);
