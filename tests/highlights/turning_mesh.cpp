@@ -74,38 +74,38 @@ std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std
       least_m = distance_m;
       nearest = &old;
     }
-    const bool is_lit = shadow.lit_share(projector_at(surface, point, size), light) > 0.5;
+    const bool is_lit =
+        shadow.lit_share(projector_at(surface, point, size), light) > TrackOptions().lit_share;
     result.push_back({point, nearest == nullptr || !is_lit ? 0 : nearest->frames + 1, is_lit});
   }
   return result;
 }
 
-/// Whether a highlight that is more than half opaque has its middle here, or is that of a region with this
-/// point in it.
+/// Whether a highlight that is more than half opaque has its middle here, or is one with this point to the
+/// eye.
 bool is_covered(const HighlightPoint& point, const std::vector<HighlightTrack>& tracks, double diagonal_m) {
   return std::any_of(tracks.begin(), tracks.end(), [&](const HighlightTrack& track) {
     if (track.opacity <= 0.5) return false;
     const glm::dvec3 q = projection_of(track.projector) * glm::dvec4(point.position_m, 1.0);
-    return glm::distance(track.projector.centre_m, point.position_m) <= 0.01 * diagonal_m ||
-           glm::length(q) < 0.75;
+    const TrackOptions options;
+    return glm::distance(track.projector.centre_m, point.position_m) <= options.part_share * diagonal_m ||
+           glm::length(q) < options.part_depth;
   });
 }
 
-/// The tracks of a mesh, each where and as opaque as it is drawn.
+/// The tracks of a mesh that are drawn, each where and as opaque as it is.
 std::vector<HighlightTrack> as_drawn(const world::WorldMesh& view) {
-  std::vector<HighlightTrack> tracks = view.tracks()->tracks();
-  for (HighlightTrack& track : tracks) track.opacity = 0.0;
-  for (const DrawnHighlight& drawn : view.highlights()) {
-    auto track =
-        std::lower_bound(tracks.begin(), tracks.end(), drawn.id,
-                         [](const HighlightTrack& known, std::uint64_t id) { return known.id < id; });
-    if (track == tracks.end() || track->id != drawn.id) {  // begins with the next step
-      track = tracks.insert(track, HighlightTrack());
-      track->id = drawn.id;
-    }
-    track->projector = drawn.found;
-    track->opacity += drawn.opacity;
+  std::map<std::uint64_t, HighlightTrack> known, drawn;
+  for (const HighlightTrack& track : view.tracks()->tracks()) known[track.id] = track;
+  for (const DrawnHighlight& highlight : view.highlights()) {
+    const auto [place, is_new] = drawn.try_emplace(highlight.id, known[highlight.id]);
+    HighlightTrack& track = place->second;
+    track.id = highlight.id;
+    track.projector = highlight.found;
+    track.opacity = highlight.opacity + (is_new ? 0.0 : track.opacity);
   }
+  std::vector<HighlightTrack> tracks;
+  for (const auto& [id, track] : drawn) tracks.push_back(track);
   return tracks;
 }
 

@@ -29,6 +29,18 @@ struct TrackOptions {
   /// How far from where it is expected a highlight may appear and still be the same, and how far behind what
   /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.
   double jump_share = 0.05, lag_share = 0.08;
+  /// Highlights of one light are one to the eye while the middle of one is this deep in another's box (0 in
+  /// the middle, 1 at the rim), or nearer than a share of the diagonal. They are two from the larger values
+  /// on.
+  double unite_depth = 2.0, part_depth = 2.6;
+  double unite_share = 0.1, part_share = 0.15;
+  /// A point must have been there for this long before it becomes visible.
+  double settle_s = 0.1;
+  /// One is hidden where its light reaches less of it than the first share, until it reaches the second.
+  double dark_share = 0.6, lit_share = 0.8;
+  /// One that has become visible stays for this long, and as long as it takes to fade out, even if its point
+  /// is gone.
+  double least_life_s = 0.25;
   int key_steps = 60;        ///< from one key state to the next
   bool has_shadows = false;  ///< whether the surface keeps highlights from their lights (LightShadow)
 };
@@ -58,7 +70,11 @@ struct HighlightTrack {
   Projector projector;          ///< as shown: follows the point within the limits
   std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
   double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on
-  double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
+  bool is_merged = false;       ///< another one is shown in its stead
+  double share = 1.0;           ///< 0 ... 1: goes to 0 while it is merged, else to 1
+  double shown_s = 0.0;         ///< for how long it has been visible
+  double age_s = 0.0;           ///< since its point was found first
+  bool is_dark = false;         ///< hidden, as its light reaches too little of it
   double lit = 1.0;             ///< 0 ... 1: how much of it its light reaches, as looked at last
   double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
   std::vector<double> nearest;  ///< [TrackState::places], 0 ... 1: how much of it is the nearest to each

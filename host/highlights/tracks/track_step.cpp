@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -20,9 +21,6 @@ namespace {
 // A highlight that is fading out is taken up again by a point that appears this much nearer than the one
 // expected.
 constexpr double revival_share = 0.4;
-// Two highlights are one region while the middle of one is this deep in the other's box (0 middle, 1 rim);
-// they are two from `parted` on.
-constexpr double united = 0.25, parted = 0.75;
 
 HighlightTrack born(const HighlightSurface& surface, const HighlightPoint& point, const TrackOptions& options,
                     std::uint64_t id) {
@@ -141,35 +139,80 @@ double depth_apart(const Projector& a, const Projector& b) {
   return std::min(apart(a), apart(b));
 }
 
-/// What each may show beside older ones of its light.
-void share_regions(std::vector<HighlightTrack>& tracks) {
-  PlacesAlongX places;
-  double widest_m = 0.0;
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const Projector& box = tracks[i].projector;
-    places.add(i, box.centre_m);
-    widest_m = std::max({widest_m, box.width_m, box.height_m});
+bool is_visible(const HighlightTrack& track) {
+  return track.opacity > 0.0;
+}
+
+/// Whether the eye sees two of one light as one: nearer than the distances from which on they are parted, or
+/// than those within which they unite.
+bool are_one(const HighlightSurface& surface, const TrackOptions& options, const HighlightTrack& a,
+             const HighlightTrack& b, bool until_parted) {
+  if (a.point.light != b.point.light) return false;
+  const double share = until_parted ? options.part_share : options.unite_share;
+  const double depth = until_parted ? options.part_depth : options.unite_depth;
+  return glm::distance(a.projector.centre_m, b.projector.centre_m) < share * surface.diagonal_m() ||
+         depth_apart(a.projector, b.projector) < depth;
+}
+
+/// A visible track whose point is lost goes over to the nearest point that the eye takes for the same
+/// highlight, if that shows nothing of its own.
+void inherit(const HighlightSurface& surface, const TrackOptions& options, TrackState& state) {
+  std::vector<HighlightTrack>& tracks = state.tracks;
+  std::vector<std::uint8_t> is_taken(tracks.size(), 0);
+  for (HighlightTrack& track : tracks) {
+    if (track.state == HighlightTrack::State::alive || track.is_merged || !is_visible(track)) continue;
+    std::size_t nearest = tracks.size();
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const HighlightTrack& heir = tracks[i];
+      if (heir.state != HighlightTrack::State::alive || is_visible(heir) || is_taken[i] != 0) continue;
+      const double distance_m = glm::distance(heir.point.position_m, track.projector.centre_m);
+      if (distance_m >= least_m || !are_one(surface, options, track, heir, true)) continue;
+      least_m = distance_m;
+      nearest = i;
+    }
+    if (nearest == tracks.size()) continue;
+    is_taken[nearest] = 1;
+    track.point = tracks[nearest].point;
+    track.way_m = tracks[nearest].way_m;
+    track.turn_rad = tracks[nearest].turn_rad;
+    track.steady_turn_rad = tracks[nearest].steady_turn_rad;
+    track.state = HighlightTrack::State::alive;
   }
-  places.sort();
-  for (std::size_t younger = 0; younger < tracks.size(); ++younger) {
-    HighlightTrack& track = tracks[younger];
-    track.share = 1.0;
-    places.visit_near(track.projector.centre_m, 0.5 * parted * widest_m, [&](std::size_t older) {
-      const HighlightTrack& other = tracks[older];
-      if (older >= younger || other.point.light != track.point.light) return;
-      const double overlap =
-          1.0 - glm::smoothstep(united, parted, depth_apart(other.projector, track.projector));
-      track.share *= 1.0 - overlap * other.presence * other.share;
+  std::size_t index = 0;
+  std::erase_if(tracks, [&](const HighlightTrack&) { return is_taken[index++] != 0; });
+}
+
+/// Of those that are one to the eye, the visible one that is the oldest leads, and the others are merged with
+/// it.
+void merge(const HighlightSurface& surface, const TrackOptions& options,
+           std::vector<HighlightTrack>& tracks) {
+  std::vector<HighlightTrack*> by_rank;
+  for (HighlightTrack& track : tracks) by_rank.push_back(&track);
+  std::ranges::stable_partition(
+      by_rank, [](const HighlightTrack* track) { return is_visible(*track) && !track->is_merged; });
+  std::vector<const HighlightTrack*> leaders;
+  for (HighlightTrack* track : by_rank) {
+    const bool until_parted = track->is_merged || !is_visible(*track);
+    const bool is_young = is_visible(*track) && track->shown_s < options.least_life_s && !track->is_merged;
+    track->is_merged = !is_young && std::ranges::any_of(leaders, [&](const HighlightTrack* leader) {
+      return are_one(surface, options, *leader, *track, until_parted);
     });
+    // What is in the dark or ends leaves its place to others.
+    const bool leads = !track->is_merged && !track->is_dark && track->state == HighlightTrack::State::alive;
+    if (leads) leaders.push_back(track);
   }
 }
 
 /// How opaque a track is where nothing has to go by degrees. In the dark it is what it was: rays cost more
 /// than all the rest.
-double wanted_opacity(const LitShare& lit_share, HighlightTrack& track) {
+double wanted_opacity(const LitShare& lit_share, const TrackOptions& options, HighlightTrack& track) {
   const double in_light = track.presence * track.share;
   if (in_light > 0.0 && lit_share) track.lit = lit_share(track);
-  return in_light * track.lit;
+  if (is_visible(track) && track.shown_s < options.least_life_s)
+    return in_light * std::max(track.lit, options.dark_share);
+  track.is_dark = track.lit < (track.is_dark ? options.lit_share : options.dark_share);
+  return track.is_dark ? 0.0 : in_light * track.lit;
 }
 
 bool is_over(const HighlightTrack& track) {
@@ -189,6 +232,14 @@ void require_valid(const TrackOptions& options) {
   require_within("highlights.turn_per_rad", options.limits.turn_per_rad, 0.0, 1e3);
   require_within("highlights.jump_share", options.jump_share, 0.0, 1.0);
   require_within("highlights.lag_share", options.lag_share, 0.0, 1.0);
+  require_within("highlights.unite_depth", options.unite_depth, 0.0, options.part_depth);
+  require_within("highlights.part_depth", options.part_depth, 0.0, 100.0);
+  require_within("highlights.unite_share", options.unite_share, 0.0, options.part_share);
+  require_within("highlights.part_share", options.part_share, 0.0, 1.0);
+  require_within("highlights.settle_s", options.settle_s, 0.0, 1e3);
+  require_within("highlights.dark_share", options.dark_share, 0.0, options.lit_share);
+  require_within("highlights.lit_share", options.lit_share, 0.0, 1.0);
+  require_within("highlights.least_life_s", options.least_life_s, 0.0, 1e3);
   require_within("highlights.key_steps", options.key_steps, 1, 1e6);
 }
 
@@ -199,8 +250,11 @@ TrackState first_state(const HighlightSurface& surface, const std::vector<Highli
     state.tracks.push_back(born(surface, point, options, state.next_id++));
     state.tracks.back().presence = 1.0;
   }
-  share_regions(state.tracks);
-  for (HighlightTrack& track : state.tracks) track.opacity = wanted_opacity(lit_share, track);
+  merge(surface, options, state.tracks);
+  for (HighlightTrack& track : state.tracks) {
+    track.share = track.is_merged ? 0.0 : 1.0;
+    track.opacity = wanted_opacity(lit_share, options, track);
+  }
   return state;
 }
 
@@ -212,17 +266,24 @@ void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>&
     measure_turn(surface, lighting, track);
   }
   match(surface, points, options, state);
+  inherit(surface, options, state);
   const double fade = options.limits.fade_per_s * options.step_s;
   for (HighlightTrack& track : state.tracks) {
     const bool is_alive = track.state == HighlightTrack::State::alive;
-    track.presence = std::clamp(track.presence + (is_alive ? fade : -fade), 0.0, 1.0);
+    const bool stays = is_alive || (is_visible(track) && track.shown_s < options.least_life_s);
+    track.age_s += options.step_s;
+    if (!stays || track.presence > 0.0 || track.age_s > options.settle_s)
+      track.presence = std::clamp(track.presence + (stays ? fade : -fade), 0.0, 1.0);
     if (is_alive) follow_point(surface, options, track);
   }
-  share_regions(state.tracks);
+  merge(surface, options, state.tracks);
   std::vector<double> opacities_before;  // [tracks]
   for (HighlightTrack& track : state.tracks) {
     opacities_before.push_back(track.opacity);
-    track.opacity += std::clamp(wanted_opacity(lit_share, track) - track.opacity, -fade, fade);
+    const double share = track.is_merged ? 0.0 : 1.0;
+    track.share = is_visible(track) ? track.share + std::clamp(share - track.share, -fade, fade) : share;
+    track.opacity += std::clamp(wanted_opacity(lit_share, options, track) - track.opacity, -fade, fade);
+    track.shown_s = is_visible(track) ? track.shown_s + options.step_s : 0.0;
   }
   follow_places(surface.diagonal_m(), fade, opacities_before, state);
   std::erase_if(state.tracks, is_over);

@@ -19,8 +19,9 @@ TrackState first_state(const HighlightSurface& surface, const std::vector<Highli
 /// One step on (H10, H11 of docs/sources.md). Points become those of the tracks of their light and
 /// orientation that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die
 /// in pairs and are never taken for one another. What is left of tracks fades out where it is, what is left
-/// of points fades in. Of several in one region the oldest is shown; the others blend in as they part. What
-/// comes into a shadow fades. With the lighting that the points are of, limits grow where H turns steadily.
+/// of points fades in. Of several that the eye sees as one, one is shown; where its point ends it goes over
+/// to that of another. What comes into a shadow fades. With the lighting that the points are of, limits grow
+/// where H turns steadily.
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
              const TrackOptions& options, TrackState& state, const LitShare& lit_share = {},
              const Lighting* lighting = nullptr);
