@@ -12,8 +12,6 @@
 namespace offing::present {
 namespace {
 
-constexpr double click_px = 4.0;  // a press that moves further is no click
-
 /// The cloud that new balls belong to: that of what is picked.
 std::optional<std::size_t> active_cloud(const CloudEditing& editing) {
   return editing.picked.empty() ? std::nullopt : std::optional(editing.picked.back().cloud);
@@ -147,7 +145,7 @@ Edit CloudEditor::release(ViewState& state, const ShownClouds& shown, const Scre
     const Grab grab = *std::exchange(grab_, std::nullopt);
     if (grab.at != grab.from) return Edit::done;
     // Back where it was: nothing to undo, but what was shown on the way is still there.
-    return grab.has_pulled ? Edit::going_on : Edit::none;
+    return grab.has_pulled ? Edit::taken_back : Edit::none;
   }
   if (!pressed_) return Edit::none;
   const Press pressed = *std::exchange(pressed_, std::nullopt);

@@ -29,6 +29,8 @@ struct Sphere {
 
 /// How near to a handle a hand must be to take hold of it.
 inline constexpr double hand_px = 12.0;
+/// A press that moves further is no click.
+inline constexpr double click_px = 4.0;
 
 /// The handle nearest to a pointer among places with members `handle` and `place_px`, the last of equals;
 /// nothing where all are farther than hand_px.

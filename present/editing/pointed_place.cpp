@@ -10,7 +10,7 @@
 namespace offing::present {
 namespace {
 
-constexpr double farthest_m = 1000.0, before_eye_m = 30.0;
+constexpr double farthest_m = 1000.0;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ glm::dvec3 pointed_place(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   const std::optional<SurfacePlace> pointed = seen_surface(sea, screen, clip);
   if (pointed && glm::distance(pointed->place_m, eye_m) < farthest_m) return pointed->place_m;
   const double yaw_rad = screen.camera.yaw_rad;
-  const glm::dvec3 before_m = eye_m + before_eye_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
+  const glm::dvec3 before_m = eye_m + ahead_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
   const auto terrain =
       sea.terrain() != nullptr ? sea.terrain()->terrain_at(before_m.x, before_m.z) : std::nullopt;
   const double water_m = sea.scene().has_sea() ? 0.0 : -std::numeric_limits<double>::infinity();

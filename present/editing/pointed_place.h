@@ -10,6 +10,9 @@
 
 namespace offing::present {
 
+/// How far before the eye things go where a picture shows no place for them.
+inline constexpr double ahead_m = 30.0;
+
 /// The ground or the still water that a point of a picture shows.
 struct SurfacePlace {
   glm::dvec3 place_m{0.0};  ///< world

@@ -79,8 +79,8 @@ void SceneEditing::finish(Edit edit) {
 void SceneEditing::apply(Edit edit) {
   if (edit == Edit::none) return;
   if (!edit_sea(edit)) return;
-  is_last_noted_ = edit == Edit::done;
-  if (!is_last_noted_) return;
+  is_last_noted_ = edit == Edit::done || edit == Edit::taken_back;
+  if (edit != Edit::done) return;
   history_.note(state_.scene);
   ++edits_;
 }
@@ -110,6 +110,13 @@ void SceneEditing::take_scene(scene::Scene scene) {
   forget_lost_picks(state_);
 }
 
+void SceneEditing::take_other_edit(scene::Scene scene) {
+  const std::optional<SceneObject> selected = selected_object(state_);
+  if (selected && count_of(state_.scene, selected->kind) != count_of(scene, selected->kind))
+    deselect_objects(state_);
+  take_scene(std::move(scene));
+}
+
 void SceneEditing::take_clouds() {
   try {
     sea_.take_clouds();
@@ -121,7 +128,7 @@ void SceneEditing::take_clouds() {
     // As where the world refuses a value at once: a slider that is held is not to clear the message.
     if (!is_last_noted_) state_.edit.fault = fault.text;
     is_last_noted_ = true;
-    take_scene(history_.now());
+    take_other_edit(history_.now());
     edit_sea(Edit::refused);
     state_.message = fault;
   }
@@ -132,7 +139,7 @@ void SceneEditing::go_back(std::optional<scene::Scene> scene, const char* none) 
     state_.message = {.text = none};
     return;
   }
-  take_scene(std::move(*scene));
+  take_other_edit(std::move(*scene));
   state_.clouds.particles = {};
   is_last_noted_ = true;
   edit_sea(Edit::done);
@@ -180,8 +187,12 @@ void SceneEditing::toggle_tool(CloudTool tool) {
 
 void SceneEditing::remove_picked() {
   const std::optional<SceneObject> object = selected_object(state_);
-  if (object && object->kind != ObjectKind::cloud) {
-    make([&](scene::Scene& scene) { return remove(scene, *object); });
+  if (state_.picked) {
+    state_.message = fault_message(
+        Error(ErrorKind::bad_usage, "a highlight cannot be deleted",
+              "click on the mesh beside it to select the mesh, or delete its [[mesh.highlight]]"));
+  } else if (object && object->kind != ObjectKind::cloud) {
+    remove(*object);
   } else {
     work([&] { return clouds_.remove(state_); });
   }
@@ -193,15 +204,19 @@ void SceneEditing::duplicate_picked(const Screen& screen) {
                screen);
 }
 
-std::string SceneEditing::remove(scene::Scene& scene, const SceneObject& object) {
-  std::string news = fmt::format("deleted {}", label_of(scene, object));
-  remove_object(scene, object);
-  return news;
+void SceneEditing::remove(const SceneObject& object) {
+  make([&](scene::Scene& scene) {
+    std::string news = fmt::format("deleted {}", label_of(scene, object));
+    remove_object(scene, object);
+    return news;
+  });
+  if (!state_.message.is_fault) deselect_objects(state_);
 }
 
 void SceneEditing::do_to_object(const ObjectDeed& deed, const Screen& screen) {
   if (deed.kind == ObjectDeed::Kind::duplicate && deed.object.kind == ObjectKind::cloud)
     return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
+  if (deed.kind == ObjectDeed::Kind::remove) return remove(deed.object);
   std::optional<SceneObject> selected;
   make([&](scene::Scene& scene) {
     std::string news;
@@ -216,18 +231,13 @@ void SceneEditing::do_to_object(const ObjectDeed& deed, const Screen& screen) {
         selected = duplicate_object(scene, deed.object, way_beside(sea_, deed.object, screen));
         news = fmt::format("added {}", label_of(scene, *selected));
         break;
-      case ObjectDeed::Kind::remove:
-        news = remove(scene, deed.object);
-        break;
-      case ObjectDeed::Kind::rename:
+      default:
         rename_object(scene, deed.object, deed.name);
-        break;
     }
     return news;
   });
   if (state_.message.is_fault) return;
   if (selected) select_object(state_, *selected);
-  if (deed.kind == ObjectDeed::Kind::remove) deselect_objects(state_);
 }
 
 void SceneEditing::draw(const Screen& screen, glm::dvec2 pointer) {

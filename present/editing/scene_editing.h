@@ -65,9 +65,12 @@ class SceneEditing {
   void go_back(std::optional<scene::Scene> scene, const char* none);
   /// The scene is another one from here on; its camera stays the user's.
   void take_scene(scene::Scene scene);
+  /// That of an edit before or after. Nothing stays selected whose list gets longer or shorter: its number
+  /// may be another one's.
+  void take_other_edit(scene::Scene scene);
   void work(const std::function<Edit()>& deed);
-  /// Returns what there is to say of it.
-  static std::string remove(scene::Scene& scene, const SceneObject& object);
+  /// Nothing is selected then: the next of its list would have its number.
+  void remove(const SceneObject& object);
 
   LiveSea& sea_;
   ViewState& state_;

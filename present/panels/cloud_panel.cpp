@@ -17,11 +17,6 @@
 namespace offing::present {
 namespace {
 
-constexpr std::array all_genera{clouds::Genus::cirrus,      clouds::Genus::stratus,
-                                clouds::Genus::cumulus,     clouds::Genus::stratocumulus,
-                                clouds::Genus::altocumulus, clouds::Genus::cumulonimbus,
-                                clouds::Genus::lenticular,  clouds::Genus::funnel};
-
 std::string name_of(clouds::Genus genus) {
   return std::string(clouds::range_of(genus).name);
 }
@@ -30,7 +25,7 @@ std::string name_of(clouds::Genus genus) {
 bool choose_genus(const char* label, clouds::Genus& genus) {
   bool is_chosen = false;
   if (!ImGui::BeginCombo(label, name_of(genus).c_str())) return false;
-  for (const clouds::Genus other : all_genera) {
+  for (const clouds::Genus other : clouds::all_genera) {
     if (!ImGui::Selectable(name_of(other).c_str(), other == genus)) continue;
     genus = other;
     is_chosen = true;

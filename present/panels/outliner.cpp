@@ -18,11 +18,6 @@
 namespace offing::present {
 namespace {
 
-constexpr std::array all_genera_of_menu{clouds::Genus::cirrus,      clouds::Genus::stratus,
-                                        clouds::Genus::cumulus,     clouds::Genus::stratocumulus,
-                                        clouds::Genus::altocumulus, clouds::Genus::cumulonimbus,
-                                        clouds::Genus::lenticular,  clouds::Genus::funnel};
-
 ImU32 colour_of(ObjectKind kind) {
   switch (kind) {
     case ObjectKind::camera:
@@ -56,7 +51,7 @@ float depth_of(const scene::Scene& scene, const SceneObject& object) {
 std::optional<NewObject> draw_genera(const char* label, NewObject::Kind kind) {
   std::optional<NewObject> chosen;
   if (!ImGui::BeginMenu(label)) return chosen;
-  for (const clouds::Genus genus : all_genera_of_menu) {
+  for (const clouds::Genus genus : clouds::all_genera) {
     if (ImGui::MenuItem(std::string(clouds::range_of(genus).name).c_str()))
       chosen = NewObject{.kind = kind, .genus = genus};
   }

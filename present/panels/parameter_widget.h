@@ -13,8 +13,9 @@ namespace offing::present {
 /// How far an edit of a value has come.
 enum class Edit {
   none,
-  refused,   ///< the table does not take the value, or the world did not while it was held
-  going_on,  ///< a slider is held, a number is typed
+  refused,     ///< the table does not take the value, or the world did not while it was held
+  taken_back,  ///< a hand let go where it took hold: all is as before that
+  going_on,    ///< a slider is held, a number is typed
   done,
 };
 

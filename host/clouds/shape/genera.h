@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -17,6 +18,11 @@ struct GenusRange {
 };
 
 GenusRange range_of(Genus genus);
+
+/// In the order of menus.
+inline constexpr std::array all_genera{Genus::cirrus,        Genus::stratus,     Genus::cumulus,
+                                       Genus::stratocumulus, Genus::altocumulus, Genus::cumulonimbus,
+                                       Genus::lenticular,    Genus::funnel};
 
 /// Genus by its name, "cumulus". Throws Error(bad_input) that lists the names.
 Genus genus_named(std::string_view name);

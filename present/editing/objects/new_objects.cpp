@@ -16,6 +16,7 @@
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/cloud_edits.h"
+#include "present/editing/objects/pushed_value.h"
 #include "present/editing/pointed_place.h"
 #include "present/window/bookmarks.h"
 
@@ -24,12 +25,12 @@ namespace {
 
 using scene::Scene;
 
-constexpr double farthest_new_m = 10e3, ahead_m = 30.0;
+constexpr double farthest_new_m = 10e3;
 // Points of the picture that are tried, in clip coordinates: a little below the middle first.
 constexpr std::array heights{-0.35, -0.6, -0.85, 0.0, 0.35};
 constexpr std::array sides{0.0, 0.4, -0.4, 0.75, -0.75};
 
-/// Two digits: sizes that a person would have chosen.
+/// Two digits of a value above 0: sizes that a person would have chosen.
 double rounded(double value) {
   const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return step * std::round(value / step);
@@ -162,8 +163,8 @@ AddedObject add_layer(Scene& scene, clouds::Genus genus, const NewPlace& place) 
   scene::CloudLayerScene& layer = scene.cloud_layers.back();
   layer.genus = genus;
   layer.seed = scene.cloud_layers.size();
-  layer.x_m = rounded(place.camera.eye_m.x == 0.0 ? 1.0 : place.camera.eye_m.x);
-  layer.z_m = rounded(place.camera.eye_m.z == 0.0 ? 1.0 : place.camera.eye_m.z);
+  layer.x_m = within_range("cloud_layer.x_m", std::round(place.camera.eye_m.x));
+  layer.z_m = within_range("cloud_layer.z_m", std::round(place.camera.eye_m.z));
   return {{ObjectKind::cloud_layer, scene.cloud_layers.size() - 1},
           fmt::format("added a layer of {} clouds", clouds::range_of(genus).name)};
 }

@@ -19,6 +19,7 @@
 #include "present/editing/cloud_picker.h"
 #include "present/editing/objects/handle_overlay.h"
 #include "present/editing/objects/selection.h"
+#include "present/editing/pointed_place.h"
 #include "present/editing/terrain_pick.h"
 
 namespace offing::present {
@@ -26,10 +27,9 @@ namespace {
 
 using highlights::RigidMotion;
 
-constexpr double click_way_px = 4.0;  // a press that moves further is no click
 constexpr double snap_rad = std::numbers::pi / 12.0;
-// Of a light without a place: the arrow begins so far before the eye, and is so long.
-constexpr double aim_ahead_m = 30.0, aim_px = 100.0;
+// Of a light without a place: so long is the arrow.
+constexpr double aim_px = 100.0;
 constexpr std::array aim_handles{ObjectHandle::free};
 constexpr scene::Affects of_objects =
     scene::Affects::meshes | scene::Affects::mesh_looks | scene::Affects::bodies | scene::Affects::lights;
@@ -64,7 +64,7 @@ highlights::Source light_at(const ViewState& state, std::size_t light) {
 }
 
 glm::dvec3 aim_from_m(const Screen& screen) {
-  return screen.camera.eye_m + aim_ahead_m * basis(screen.camera).forward;
+  return screen.camera.eye_m + ahead_m * basis(screen.camera).forward;
 }
 
 double aim_length_m(const Screen& screen) {
@@ -242,7 +242,7 @@ Edit ObjectEditor::release(ViewState& state, LiveSea& sea, const Screen& screen,
                            bool snaps) {
   std::optional<glm::dvec2> pressed = std::exchange(pressed_, std::nullopt);
   const bool is_click = pressed && glm::distance(pixel_of_clip(screen, *pressed),
-                                                 pixel_of_clip(screen, event.clip)) <= click_way_px;
+                                                 pixel_of_clip(screen, event.clip)) <= click_px;
   if (!grab_) {
     if (is_click && !event.is_beside) select_at(state, sea, screen, event.clip);
     return Edit::none;
@@ -253,7 +253,7 @@ Edit ObjectEditor::release(ViewState& state, LiveSea& sea, const Screen& screen,
   scene::take_values(of_objects, grab.before, state.scene);
   // Handles lie over what they move.
   if (is_click) select_at(state, sea, screen, event.clip);
-  return grab.is_shown ? Edit::going_on : Edit::none;
+  return grab.is_shown ? Edit::taken_back : Edit::none;
 }
 
 Edit ObjectEditor::turn(ViewState& state, LiveSea& sea, const Screen& screen,

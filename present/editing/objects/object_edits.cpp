@@ -22,14 +22,6 @@ double way_between(double from_rad, double to_rad) {
   return std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
 }
 
-/// Angles stay within a turn: the table takes no more.
-void turn_value(Scene& scene, std::string_view key, scene::ElementIndex element, double& angle_rad,
-                double way_rad) {
-  const bool is_keyed = scene.tracks.contains({key, element});
-  const double turned_rad = std::remainder(angle_rad + way_rad, 2.0 * std::numbers::pi);
-  push_value(scene, key, element, is_keyed ? way_rad : turned_rad - angle_rad);
-}
-
 void multiply(std::string_view key, std::optional<double>& value, double factor) {
   if (value) value = within_range(key, factor * *value);
 }
@@ -74,9 +66,9 @@ void pull_mesh(Scene& scene, const HeldMesh& held, const ObjectPull& pull) {
   }
   if (pull.turn_rad == glm::dvec3(0.0)) return;
   const glm::dvec3 before = turns_of(held.local.rotation), after = turns_of(rotation);
-  turn_value(scene, "mesh.yaw_deg", element, mesh.yaw_rad, way_between(before.x, after.x));
-  turn_value(scene, "mesh.pitch_deg", element, mesh.pitch_rad, way_between(before.y, after.y));
-  turn_value(scene, "mesh.roll_deg", element, mesh.roll_rad, way_between(before.z, after.z));
+  turn_value(scene, "mesh.yaw_deg", element, way_between(before.x, after.x));
+  turn_value(scene, "mesh.pitch_deg", element, way_between(before.y, after.y));
+  turn_value(scene, "mesh.roll_deg", element, way_between(before.z, after.z));
 }
 
 void pull_body(Scene& scene, const HeldBody& held, const ObjectPull& pull) {
@@ -90,7 +82,7 @@ void pull_body(Scene& scene, const HeldBody& held, const ObjectPull& pull) {
   push_value(scene, "body.x_m", element, pull.way_m.x);
   push_value(scene, "body.z_m", element, pull.way_m.z);
   // Headings grow clockwise, seen from above.
-  turn_value(scene, "body.heading_deg", element, body.heading_rad, -pull.turn_rad.y);
+  turn_value(scene, "body.heading_deg", element, -pull.turn_rad.y);
   if (pull.ratio == 1.0 || !held.hull) return;
   double& scale = scene.meshes[*held.hull].scale;
   const double larger = within_range("mesh.scale", pull.ratio * scale);
@@ -109,8 +101,7 @@ void pull_light(Scene& scene, std::size_t light, const ObjectPull& pull) {
 
 void aim_light(Scene& scene, std::size_t light, const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec2 before = azimuth_and_elevation(from), after = azimuth_and_elevation(to);
-  turn_value(scene, "light.azimuth_deg", {light, 0}, scene.lights[light].azimuth_rad,
-             way_between(before.x, after.x));
+  turn_value(scene, "light.azimuth_deg", {light, 0}, way_between(before.x, after.x));
   push_value(scene, "light.elevation_deg", {light, 0}, after.y - before.y);
 }
 

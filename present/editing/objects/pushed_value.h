@@ -13,4 +13,7 @@ double within_range(std::string_view key, double value);
 /// end. Does nothing to an optional value that the scene does not give.
 void push_value(scene::Scene& scene, std::string_view key, scene::ElementIndex element, double way);
 
+/// The same of an angle, which stays within the range of its row by whole turns.
+void turn_value(scene::Scene& scene, std::string_view key, scene::ElementIndex element, double way_rad);
+
 }  // namespace offing::present

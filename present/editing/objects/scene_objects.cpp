@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -11,7 +12,12 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/bodies/floating_bodies.h"
+#include "host/bodies/floating_body.h"
 #include "host/clouds/shape/genera.h"
+#include "host/scene/model/moving_number.h"
+#include "host/scene/prepare/scene_bodies.h"
+#include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/cloud_edits.h"
@@ -50,22 +56,6 @@ const KindRow& row_of(ObjectKind kind) {
 
 const scene::Section& section_of_kind(ObjectKind kind) {
   return *scene::find_parameter(row_of(kind).key)->section;
-}
-
-std::size_t count_of_kind(const Scene& scene, ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::camera:
-    case ObjectKind::sky:
-      return 1;
-    case ObjectKind::sea:
-      return scene.has_sea() ? 1 : 0;
-    case ObjectKind::terrain:
-      return scene.terrain.is_given ? 1 : 0;
-    case ObjectKind::wake:
-      return scene.has_sea() ? scene.ocean.wakes.size() : 0;
-    default:
-      return scene::elements_of(scene, section_of_kind(kind)).size();
-  }
 }
 
 std::string name_of_object(const Scene& scene, const SceneObject& object) {
@@ -147,23 +137,65 @@ void remove_wakes_of(Scene& scene, std::size_t body) {
   }
 }
 
-/// From a body's axes to the world, where the body started: its turn is that of a mesh (camera.h), whose yaw
+/// A body that floats upright at its start.
+struct FloatingStart {
+  bodies::FloatingBody body;
+  bodies::BodyPose pose;
+};
+FloatingStart start_of(const Scene& scene, std::size_t index) {
+  const scene::BodyScene& body = scene.bodies[index];
+  const auto at_start = [&](std::string_view key, double constant) {
+    return scene::MovingNumber(scene, {key, {index, 0}}, constant).at(0.0);
+  };
+  FloatingStart start{scene::prepare_bodies(scene, scene::prepare_meshes(scene))[index].body, {}};
+  start.pose =
+      bodies::at_rest(start.body, bodies::BodyWaterParameters{}.density_kgpm3, at_start("body.x_m", body.x_m),
+                      at_start("body.z_m", body.z_m), at_start("body.heading_deg", body.heading_rad));
+  return start;
+}
+
+/// From a body's axes to the world, keyframes included. Its turn is that of a mesh (camera.h), whose yaw
 /// grows from north toward east as a heading does from east toward south.
-void land(Scene& scene, std::size_t mesh, const scene::BodyScene& body) {
-  const double cosine = std::cos(body.heading_rad), sine = std::sin(body.heading_rad);
-  scene::MeshScene& landed = scene.meshes[mesh];
-  const glm::dvec3 place_m = landed.position_m;
-  landed.aboard.clear();
-  const glm::dvec3 there_m(body.x_m + cosine * place_m.x - sine * place_m.z, place_m.y,
-                           body.z_m + sine * place_m.x + cosine * place_m.z);
-  push_place(scene, "mesh", mesh, there_m - place_m);
-  push_value(scene, "mesh.yaw_deg", {mesh, 0}, body.heading_rad);
+void place_in_world(Scene& scene, std::size_t mesh, const FloatingStart& start) {
+  scene::MeshScene& placed = scene.meshes[mesh];
+  placed.aboard.clear();
+  const ElementIndex element{mesh, 0};
+  const scene::ValueKey x_key{"mesh.x_m", element}, z_key{"mesh.z_m", element};
+  const scene::MovingNumber x_m(scene, x_key, placed.position_m.x), z_m(scene, z_key, placed.position_m.z);
+  const auto in_world = [&](double x, double z) {
+    return bodies::FloatingBodies::world_point(start.body, start.pose, {x, placed.position_m.y, z});
+  };
+  // Both move with either.
+  std::set<double> times_s;
+  Interpolation interpolation = Interpolation::smooth;
+  for (const scene::ValueKey& key : {x_key, z_key}) {
+    const auto track = scene.tracks.find(key);
+    if (track == scene.tracks.end()) continue;
+    interpolation = track->second.interpolation;
+    for (const Keyframe& at : track->second.keys) times_s.insert(at.time_s);
+  }
+  KeyframeTrack east{.keys = {}, .interpolation = interpolation}, south = east;
+  for (const double time_s : times_s) {
+    const glm::dvec3 there_m = in_world(x_m.at(time_s), z_m.at(time_s));
+    east.keys.push_back({time_s, within_range(x_key.key, there_m.x)});
+    south.keys.push_back({time_s, within_range(z_key.key, there_m.z)});
+  }
+  const glm::dvec3 there_m = in_world(placed.position_m.x, placed.position_m.z);
+  push_value(scene, "mesh.y_m", element, there_m.y - placed.position_m.y);
+  placed.position_m.x = within_range(x_key.key, there_m.x);
+  placed.position_m.z = within_range(z_key.key, there_m.z);
+  if (!times_s.empty()) {
+    scene.tracks[x_key] = std::move(east);
+    scene.tracks[z_key] = std::move(south);
+  }
+  turn_value(scene, "mesh.yaw_deg", element, bodies::heading_of(start.pose));
 }
 
 void remove_body(Scene& scene, std::size_t index) {
-  const scene::BodyScene body = scene.bodies[index];
-  if (const std::optional<std::size_t> hull = hull_of_body(scene, index)) land(scene, *hull, body);
-  for (const std::size_t mesh : meshes_aboard(scene, index)) land(scene, mesh, body);
+  const FloatingStart start = start_of(scene, index);
+  std::vector<std::size_t> meshes = meshes_aboard(scene, index);
+  meshes.push_back(scene::mesh_of_body(scene, index));
+  for (const std::size_t mesh : meshes) place_in_world(scene, mesh, start);
   remove_wakes_of(scene, index);
   remove_element_of(scene, ObjectKind::body, index);
 }
@@ -218,6 +250,13 @@ std::vector<std::string*> references_to(Scene& scene, ObjectKind kind, const std
   return found;
 }
 
+bool has_another(const Scene& scene, const SceneObject& object, const std::string& name) {
+  for (std::size_t i = 0; i < count_of(scene, object.kind); ++i) {
+    if (i != object.index && name_of_object(scene, {object.kind, i}) == name) return true;
+  }
+  return false;
+}
+
 /// Names refer to the first that has them.
 bool is_first_of_its_name(const Scene& scene, const SceneObject& object, const std::string& name) {
   for (std::size_t i = 0; i < object.index; ++i) {
@@ -232,7 +271,7 @@ std::vector<SceneObject> objects_of(const Scene& scene) {
   std::vector<SceneObject> objects;
   std::vector<bool> is_listed(scene.bodies.size(), false);
   for (const KindRow& row : kind_rows) {
-    const std::size_t count = count_of_kind(scene, row.kind);
+    const std::size_t count = count_of(scene, row.kind);
     for (std::size_t i = 0; i < count; ++i) {
       if (row.kind == ObjectKind::body && is_listed[i]) continue;
       objects.push_back({row.kind, i});
@@ -246,8 +285,24 @@ std::vector<SceneObject> objects_of(const Scene& scene) {
   return objects;
 }
 
+std::size_t count_of(const Scene& scene, ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::camera:
+    case ObjectKind::sky:
+      return 1;
+    case ObjectKind::sea:
+      return scene.has_sea() ? 1 : 0;
+    case ObjectKind::terrain:
+      return scene.terrain.is_given ? 1 : 0;
+    case ObjectKind::wake:
+      return scene.has_sea() ? scene.ocean.wakes.size() : 0;
+    default:
+      return scene::elements_of(scene, section_of_kind(kind)).size();
+  }
+}
+
 bool has_object(const Scene& scene, const SceneObject& object) {
-  return object.index < count_of_kind(scene, object.kind);
+  return object.index < count_of(scene, object.kind);
 }
 
 const Parameter* name_row(ObjectKind kind) {
@@ -370,10 +425,14 @@ SceneObject duplicate_object(Scene& scene, const SceneObject& object, const glm:
   const auto body = object.kind == ObjectKind::mesh   ? body_of_mesh(scene, object.index)
                     : object.kind == ObjectKind::body ? std::optional(object.index)
                                                       : std::nullopt;
+  if (!hull) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: has no hull to copy", label_of(scene, object)),
+                "give it a mesh that the scene has");
+  }
   switch (object.kind) {
     case ObjectKind::mesh:
     case ObjectKind::body:
-      if (body && hull) {
+      if (body) {
         const auto [mesh_copy, body_copy] = copy_body(changed, *body, *hull, way_m);
         copy.index = object.kind == ObjectKind::mesh ? mesh_copy : body_copy;
       } else {
@@ -411,6 +470,12 @@ void rename_object(Scene& scene, const SceneObject& object, const std::string& n
   std::vector<std::string*> references;
   if (!before.empty() && is_first_of_its_name(scene, object, before))
     references = references_to(scene, object.kind, before);
+  if (!name.empty() && name != before && has_another(scene, object, name)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a name of its own, but another {} is \"{}\"", row.key,
+                            row_of(object.kind).word, one_line(name)),
+                "write another name");
+  }
   if (name.empty() && !references.empty()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a name, as other sections refer to \"{}\"", row.key, before),

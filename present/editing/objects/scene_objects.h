@@ -26,6 +26,8 @@ struct SceneObject {
 /// All that a scene has; a body follows the mesh that it moves.
 std::vector<SceneObject> objects_of(const scene::Scene& scene);
 bool has_object(const scene::Scene& scene, const SceneObject& object);
+/// How many of a kind it has.
+std::size_t count_of(const scene::Scene& scene, ObjectKind kind);
 
 /// The row of the parameter table that names objects of a kind; nullptr for kinds without names.
 const scene::Parameter* name_row(ObjectKind kind);
@@ -43,17 +45,17 @@ bool can_be_removed(const scene::Scene& scene, const SceneObject& object);
 bool can_be_duplicated(const SceneObject& object);
 
 /// Takes an object away with what cannot be without it: with a hull its body, all meshes aboard and the wake
-/// windows that follow it. A body that goes alone leaves its meshes where it started. Throws
-/// Error(bad_usage) for what cannot be removed.
+/// windows that follow it. A body that goes alone leaves its meshes where it floats upright at its start.
+/// Throws Error(bad_usage) for what cannot be removed.
 void remove_object(scene::Scene& scene, const SceneObject& object);
 
 /// The same again, `way_m` beside it, with its keyframes and a name of its own; a hull with its body and all
-/// that is aboard. Returns the copy. Throws Error(bad_input) where the scene takes no more,
-/// Error(bad_usage) for what there is only one of.
+/// that is aboard. Returns the copy. Throws Error(bad_input) where the scene takes no more, and for a body
+/// without a hull; Error(bad_usage) for what there is only one of.
 SceneObject duplicate_object(scene::Scene& scene, const SceneObject& object, const glm::dvec3& way_m);
 
 /// Gives it another name, and tells all that refer to it by its name. Throws Error(bad_input) for what no
-/// name can be, and for an empty one where others refer to it.
+/// name can be, for one that another of its kind has, and for an empty one where others refer to it.
 void rename_object(scene::Scene& scene, const SceneObject& object, const std::string& name);
 
 /// A name that no other element of a list has: "ship", "ship 2" ...

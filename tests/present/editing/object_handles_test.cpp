@@ -1,4 +1,4 @@
-// Handles of balls and clouds: where they are, and what a pull of each comes to.
+// Handles of objects: where they are, and what a pull of each comes to.
 #include "present/editing/objects/object_handles.h"
 
 #include <algorithm>

@@ -19,6 +19,7 @@
 #include "host/io/vdb/vdb_volume.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_writer.h"
+#include "present/editing/objects/selection.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/present/gl_test.h"
 
@@ -252,6 +253,45 @@ TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
   EXPECT_EQ(state_.scene.clouds[0].seed, 4u);
 }
 
+// Fails if an object that goes leaves the next one of its list selected, for the next Delete; or undo and
+// redo leave another one selected than before.
+TEST_F(SceneEditingTest, NothingElseGetsSelected) {
+  edit([](scene::Scene& scene) {
+    scene.lights.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) scene.lights[i].name = std::string(1, static_cast<char>('a' + i));
+  });
+  select_object(state_, {ObjectKind::light, 1});
+  editing_->remove_picked();
+  EXPECT_EQ(state_.message.text, "deleted b");
+  EXPECT_FALSE(selected_object(state_));
+  editing_->remove_picked();
+  ASSERT_EQ(state_.scene.lights.size(), 2u);
+  EXPECT_EQ(state_.scene.lights[1].name, "c");
+  select_object(state_, {ObjectKind::light, 1});
+  editing_->undo();
+  ASSERT_EQ(state_.scene.lights.size(), 3u);
+  EXPECT_FALSE(selected_object(state_)) << "it would be b";
+  select_object(state_, {ObjectKind::light, 1});
+  editing_->redo();
+  EXPECT_FALSE(selected_object(state_)) << "it would be c";
+  // What is still itself stays selected.
+  select_object(state_, {ObjectKind::light, 1});
+  edit([](scene::Scene& scene) { scene.lights[1].place_m.x = 7.0; });
+  editing_->undo();
+  EXPECT_EQ(selected_object(state_), (SceneObject{ObjectKind::light, 1}));
+}
+
+// Fails if the Delete key takes a mesh away while one of its highlights is picked.
+TEST_F(SceneEditingTest, AHighlightIsNotItsMesh) {
+  edit([](scene::Scene& scene) { scene.meshes.resize(1); });
+  select_object(state_, {ObjectKind::mesh, 0});
+  state_.picked = HighlightName{0, 0};
+  editing_->remove_picked();
+  EXPECT_EQ(state_.scene.meshes.size(), 1u);
+  EXPECT_TRUE(state_.message.is_fault);
+  EXPECT_THAT(state_.message.text, HasSubstr("highlight"));
+}
+
 /// A hand on the arrow along x of the only ball.
 class HeldHandleTest : public SceneEditingTest {
  protected:
@@ -295,6 +335,7 @@ TEST_F(HeldHandleTest, BackToWhereItBeganIsShown) {
   EXPECT_NEAR(sea_->scene().clouds[0].balls[0].centre_m.x, 0.0, 1e-9);
   editing_->undo();
   EXPECT_THAT(state_.message.text, HasSubstr("nothing to undo"));
+  EXPECT_FALSE(editing_->history().can_undo()) << "nor where the scene is shown again";
 }
 
 // Fails if a hand that still holds overwrites what a key has done meanwhile.

@@ -2,6 +2,7 @@
 #include "present/editing/objects/scene_objects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -84,18 +85,61 @@ TEST(SceneObjectsTest, AHullTakesItsBodyAlong) {
   EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "rest.toml", ""));
 }
 
-// A body that goes leaves its meshes where it started. Fails if they jump, or the wake still follows it.
+// A box of 2 m that floats 0.5 m deep, with its centre of mass beside its middle; it heads south, so that its
+// x axis is the world's z. Something aboard moves along x and turns.
+constexpr const char* raft = R"(version = 1
+[ocean]
+[[ocean.wake]]
+centre = "body"
+body = "raft"
+[[mesh]]
+name = "hull"
+shape = "box"
+size_m = 1
+yaw_deg = 300
+[[mesh]]
+name = "mast"
+shape = "box"
+aboard = "raft"
+x_m = { keys = [{ t = 0, value = 2 }, { t = 10, value = 6 }], interpolation = "linear" }
+y_m = 3
+yaw_deg = { keys = [{ t = 0, value = 290 }, { t = 10, value = 350 }], interpolation = "linear" }
+[[body]]
+name = "raft"
+mesh = "hull"
+draught_m = 0.5
+mass_centre_m = [1, -0.2, 0.5]
+x_m = 10
+z_m = -5
+heading_deg = 90
+)";
+
+// A body that goes leaves its meshes where it floated at its start. Fails if they jump, though its place is
+// that of its centre of mass; if they move or turn otherwise from there; or the wake still follows it.
 TEST(SceneObjectsTest, ABodyLeavesItsMeshes) {
-  scene::Scene scene = harbour_scene();
+  scene::Scene scene = scene::parse_scene(raft, "raft.toml", "");
   remove_object(scene, {ObjectKind::body, 0});
   EXPECT_TRUE(scene.bodies.empty());
   EXPECT_TRUE(scene.ocean.wakes.empty());
-  EXPECT_TRUE(scene.meshes[2].aboard.empty());
-  // Heading south: forward is +z.
-  const glm::dvec3 mast_m = scene::motion_of(scene, 2)(0.0).translation_m;
-  EXPECT_LE(glm::distance(mast_m, glm::dvec3(10.0, 3.0, -3.0)), 1e-9);
-  const glm::dvec3 bow = scene::motion_of(scene, 1)(0.0).rotation * glm::dvec3(1.0, 0.0, 0.0);
-  EXPECT_LE(glm::distance(bow, glm::dvec3(0.0, 0.0, 1.0)), 1e-9);
+  EXPECT_TRUE(scene.meshes[1].aboard.empty());
+  const auto hull = scene::motion_of(scene, 0)(0.0);
+  EXPECT_LE(glm::distance(hull.translation_m, glm::dvec3(10.5, 0.5, -6.0)), 1e-6);
+  EXPECT_LE(glm::distance(hull.rotation * glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.5, 0.0, -std::sqrt(0.75))),
+            1e-9)
+      << "300 and 90 degrees are 30";
+  const auto mast = scene::motion_of(scene, 1);
+  EXPECT_LE(glm::distance(mast(0.0).translation_m, glm::dvec3(10.5, 3.5, -4.0)), 1e-6);
+  EXPECT_LE(glm::distance(mast(5.0).translation_m, glm::dvec3(10.5, 3.5, -2.0)), 1e-6);
+  EXPECT_LE(glm::distance(mast(10.0).translation_m, glm::dvec3(10.5, 3.5, 0.0)), 1e-6);
+  const auto angle_rad = [&](double time_s) {
+    const glm::dvec3 forward = mast(time_s).rotation * glm::dvec3(0.0, 0.0, -1.0);
+    return std::atan2(forward.x, -forward.z);
+  };
+  constexpr double degree = 0.017453292519943295;
+  EXPECT_NEAR(angle_rad(0.0), 20.0 * degree, 1e-9);
+  EXPECT_NEAR(angle_rad(5.0), 50.0 * degree, 1e-9);
+  EXPECT_NEAR(angle_rad(10.0), 80.0 * degree, 1e-9);
+  EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "rest.toml", ""));
 }
 
 // Fails if a copy is the original, shares its name, keyframes or body, or lies on it.
@@ -138,6 +182,28 @@ TEST(SceneObjectsTest, NamesAreFollowed) {
   EXPECT_EQ(label_of(scene, {ObjectKind::mesh, 0}), "mesh 1");
 }
 
+// Names are how other sections refer to objects. Fails if two get one name, or an object cannot keep its own.
+TEST(SceneObjectsTest, NoTwoGetOneName) {
+  scene::Scene scene = harbour_scene();
+  const std::string before = text_of(scene);
+  EXPECT_THROW(rename_object(scene, {ObjectKind::mesh, 0}, "mast"), Error);
+  EXPECT_EQ(text_of(scene), before);
+  rename_object(scene, {ObjectKind::mesh, 0}, "buoy");
+  rename_object(scene, {ObjectKind::mesh, 0}, "ship");  // which is a body's
+  EXPECT_EQ(scene.meshes[0].name, "ship");
+  rename_object(scene, {ObjectKind::mesh, 0}, "");
+  rename_object(scene, {ObjectKind::mesh, 2}, "");
+  EXPECT_EQ(scene.meshes[2].name, "");
+}
+
+// Fails if a body whose hull is not there is copied as if it were a mesh.
+TEST(SceneObjectsTest, ABodyWithoutAHullIsNotCopied) {
+  scene::Scene scene = harbour_scene();
+  scene.bodies[0].mesh = "elsewhere";
+  EXPECT_THROW(duplicate_object(scene, {ObjectKind::body, 0}, {1.0, 0.0, 0.0}), Error);
+  EXPECT_EQ(scene.meshes.size(), 3u);
+}
+
 // Fails if a scene loses a sea that carries something, or gets one with its last mesh.
 TEST(SceneObjectsTest, TheSeaComesAndGoesAlone) {
   scene::Scene scene = harbour_scene();
@@ -164,6 +230,20 @@ TEST(NewObjectsTest, ShowWellFromWhereTheyAreSeen) {
     EXPECT_TRUE(scene.has_sea());
     EXPECT_NEAR(2.0 * scene.meshes[0].size_m / height_m, 0.3, 0.03) << "as high as wide";
     EXPECT_NEAR(scene.meshes[0].position_m.y, scene.meshes[0].size_m, 1e-9) << "it stands on its base";
+  }
+}
+
+// Fails if a layer is not over the eye, wherever that is.
+TEST(NewObjectsTest, LayersAreOverTheEye) {
+  for (const glm::dvec3& eye_m :
+       {glm::dvec3(0.0), glm::dvec3(-1234.4, 5.0, -0.2), glm::dvec3(987.6, 5.0, 4e8)}) {
+    NewPlace place{.camera = {}, .place_m = glm::dvec3(0.0)};
+    place.camera.eye_m = eye_m;
+    scene::Scene scene;
+    add_object(scene, {.kind = NewObject::Kind::cloud_layer}, place);
+    EXPECT_NEAR(scene.cloud_layers.at(0).x_m, eye_m.x, 1.0);
+    EXPECT_NEAR(scene.cloud_layers[0].z_m, std::min(eye_m.z, 1e7), 1.0);
+    EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "layer.toml", ""));
   }
 }
 
