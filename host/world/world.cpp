@@ -115,6 +115,13 @@ void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s)
   move_meshes_with_bodies();
 }
 
+void World::renumber_body_meshes(const std::vector<BodySettings>& bodies) {
+  parameters_.bodies = bodies;
+  for (std::size_t i = 0; bodies_ && i < bodies.size(); ++i)
+    bodies_->set_meshes(i, bodies[i].mesh, bodies[i].aboard);
+  move_meshes_with_bodies();
+}
+
 void World::move_meshes_with_bodies() {
   for (std::size_t i = 0; i < meshes_.size(); ++i) meshes_[i].set_motion(parameters_.meshes[i].motion);
   if (!bodies_) return;
@@ -122,11 +129,14 @@ void World::move_meshes_with_bodies() {
     const BodySettings& settings = bodies_->settings()[body];
     const auto hull = bodies_->motion_of_hull(body);
     const auto carry = [&](std::size_t mesh, const std::function<highlights::RigidMotion(double)>& own) {
-      if (mesh >= meshes_.size()) return;
       meshes_[mesh].set_motion([hull, own](double time_s) { return after(own(time_s), hull(time_s)); });
     };
-    carry(settings.mesh, [in_hull = settings.mesh_in_hull](double) { return in_hull; });
-    for (const std::size_t mesh : settings.aboard) carry(mesh, parameters_.meshes.at(mesh).motion);
+    // Where meshes have gone, bodies are told a little later.
+    if (settings.mesh < meshes_.size())
+      carry(settings.mesh, [in_hull = settings.mesh_in_hull](double) { return in_hull; });
+    for (const std::size_t mesh : settings.aboard) {
+      if (mesh < meshes_.size()) carry(mesh, parameters_.meshes[mesh].motion);
+    }
   }
 }
 

@@ -160,6 +160,8 @@ class World {
   /// Puts other bodies on the water, at their start at the time of the last at(). Throws what WorldBodies
   /// throws.
   void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s);
+  /// The same bodies where they are now, whose meshes have other numbers.
+  void renumber_body_meshes(const std::vector<BodySettings>& bodies);
   /// Throws Error(bad_usage) for more than most_lights.
   void set_lights(const std::vector<Light>& lights);
   /// Changes what the textures of highlights are made of.

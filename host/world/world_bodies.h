@@ -105,6 +105,11 @@ class WorldBodies {
 
   std::size_t size() const { return settings_.size(); }
   const std::vector<BodySettings>& settings() const { return settings_; }
+  /// Which of the world's meshes are where it is.
+  void set_meshes(std::size_t body, std::size_t mesh, std::vector<std::size_t> aboard) {
+    settings_[body].mesh = mesh;
+    settings_[body].aboard = std::move(aboard);
+  }
   double start_s() const { return start_s_; }
   /// The time at which the run-up begins.
   double begin_s() const { return path_->begin_s(); }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,36 @@ TEST(WorldScene, FollowsTheView) {
   EXPECT_EQ(world.parameters().atmosphere.aerosol_optical_depth, 1.0);
   set_view(world, view_at(scene, 0.0));
   EXPECT_EQ(everything(world), noon);
+}
+
+// Fails if a mesh that goes, and stands before those of a boat, sends the boat back to its start, or leaves
+// its meshes behind.
+TEST(WorldScene, OtherMeshesLeaveBoatsAlone) {
+  const std::string sea = "[ocean]\nsize = 32\ncascade_count = 1\n", loose = "[[mesh]]\nshape = \"sphere\"\n";
+  const std::string boat =
+      "[[mesh]]\nname = \"hull\"\nshape = \"ship\"\nsize_m = 24\n[[mesh]]\nshape = \"box\"\naboard = "
+      "\"boat\"\n"
+      "[[body]]\nname = \"boat\"\nmesh = \"hull\"\nspeed_mps = 3\ndraught_m = 1.5\n";
+  const Scene before = scene_of(sea + loose + boat), after = scene_of(sea + boat);
+  world::World world(ocl::Device::open(), prepare_world(before));
+  world.at(2.0, 10.0);
+  const glm::dvec3 there_m = world.bodies()->pose(0, 2.0).mass_centre_m;
+  const auto places_m = [&](std::size_t first) {
+    world.at(2.0, 10.0);
+    return std::pair(world.meshes()[first].motion().translation_m,
+                     world.meshes()[first + 1].motion().translation_m);
+  };
+  const auto expected = places_m(1);
+  edit_world(world, before, after);
+  EXPECT_EQ(world.bodies()->start_s(), 0.0);
+  EXPECT_EQ(world.bodies()->pose(0, 2.0).mass_centre_m, there_m);
+  EXPECT_EQ(places_m(0), expected);
+  edit_world(world, after, before);
+  EXPECT_EQ(world.bodies()->start_s(), 0.0);
+  EXPECT_EQ(places_m(1), expected);
+  // Another mesh aboard is another boat.
+  edit_world(world, before, scene_of(sea + loose + boat + "[[mesh]]\nshape = \"box\"\naboard = \"boat\"\n"));
+  EXPECT_EQ(world.bodies()->start_s(), 2.0);
 }
 
 // Fails if a scene that cannot be made leaves half of it behind.

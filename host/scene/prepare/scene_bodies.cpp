@@ -189,27 +189,27 @@ std::vector<std::size_t> moved_meshes(const Scene& scene) {
   return meshes;
 }
 
-/// Whether a mesh that both scenes have has another form or stands elsewhere.
-bool is_other_mesh(const Scene& before, const Scene& after, std::size_t mesh) {
-  const ElementIndex element{mesh, 0};
-  const auto track_of = [&](const Scene& scene, const Parameter& row) {
-    const auto track = scene.tracks.find({row.key, element});
+/// Whether two meshes have another form or stand elsewhere.
+bool is_other_mesh(const Scene& before, std::size_t mesh_before, const Scene& after, std::size_t mesh_after) {
+  const auto track_of = [](const Scene& scene, const Parameter& row, std::size_t mesh) {
+    const auto track = scene.tracks.find({row.key, {mesh, 0}});
     return track == scene.tracks.end() ? std::nullopt : std::optional(track->second);
   };
   return std::ranges::any_of(parameter_table(), [&](const Parameter& row) {
     if (row.group != ParameterGroup::mesh || !share_a_bit(row.affects, Affects::meshes)) return false;
-    return !is_same_value(row, struct_at(&before, *row.section, element),
-                          struct_at(&after, *row.section, element)) ||
-           track_of(before, row) != track_of(after, row);
+    return !is_same_value(row, struct_at(&before, *row.section, {mesh_before, 0}),
+                          struct_at(&after, *row.section, {mesh_after, 0})) ||
+           track_of(before, row, mesh_before) != track_of(after, row, mesh_after);
   });
 }
 
-/// Meshes that move with no body do not count.
+/// Meshes that move with no body do not count, nor the numbers of those that do.
 bool are_other_bodies(const Scene& before, const Scene& after) {
   if (differ_in(Affects::bodies, before, after)) return true;
-  const std::vector<std::size_t> meshes = moved_meshes(before);
-  return meshes != moved_meshes(after) ||
-         std::ranges::any_of(meshes, [&](std::size_t mesh) { return is_other_mesh(before, after, mesh); });
+  return !std::ranges::equal(moved_meshes(before), moved_meshes(after),
+                             [&](std::size_t mesh_before, std::size_t mesh_after) {
+                               return !is_other_mesh(before, mesh_before, after, mesh_after);
+                             });
 }
 
 }  // namespace
@@ -277,7 +277,17 @@ std::size_t followed_body(const Scene& scene, std::size_t wake) {
 void edit_bodies(world::World& world, const Scene& before, const Scene& after) {
   const bool is_same = !are_other_bodies(before, after) && run_up_s(before) == run_up_s(after) &&
                        before.has_sea() == after.has_sea();
-  if (is_same) return;
+  if (is_same) {
+    if (moved_meshes(before) == moved_meshes(after)) return;
+    std::vector<world::BodySettings> bodies = world.parameters().bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      bodies[i].mesh = mesh_of_body(after, i);
+      bodies[i].aboard.clear();
+    }
+    board(after, bodies);
+    world.renumber_body_meshes(bodies);
+    return;
+  }
   world.set_bodies(prepare_bodies(after, world.parameters().meshes), run_up_s(after));
 }
 
