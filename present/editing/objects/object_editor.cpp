@@ -96,29 +96,33 @@ double distance_of_ground_m(LiveSea& sea, const Screen& screen, glm::dvec2 clip)
   return ground ? ground->distance_m : none;
 }
 
-std::optional<std::size_t> light_near(const ViewState& state, const Screen& screen, glm::dvec2 pointer_px) {
-  for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
+/// A light that stands at a place, on the screen.
+struct LightIcon {
+  std::size_t handle;  // which light
+  glm::dvec2 place_px;
+};
+/// None while panels are hidden.
+std::vector<LightIcon> light_icons(const ViewState& state, const Screen& screen) {
+  std::vector<LightIcon> icons;
+  for (std::size_t i = 0; state.shows_panels && i < state.scene.lights.size(); ++i) {
     if (state.scene.lights[i].kind != scene::LightKind::place) continue;
-    const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector);
-    if (place_px && glm::distance(*place_px, pointer_px) <= hand_px) return i;
+    if (const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector))
+      icons.push_back({i, *place_px});
   }
-  return {};
+  return icons;
 }
 
-void draw_lights(ImDrawList& list, const ViewState& state, const Screen& screen) {
+void draw_lights(ImDrawList& list, const std::vector<LightIcon>& icons) {
   constexpr ImU32 light_colour = IM_COL32(250, 220, 120, 255);
   constexpr int rays = 8;
-  for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
-    if (state.scene.lights[i].kind != scene::LightKind::place) continue;
-    const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector);
-    if (!place_px) continue;
-    list.AddCircleFilled(screen_point(*place_px), 5.5f, handle_shade);
-    list.AddCircleFilled(screen_point(*place_px), 4.5f, light_colour);
+  for (const LightIcon& icon : icons) {
+    list.AddCircleFilled(screen_point(icon.place_px), 5.5f, handle_shade);
+    list.AddCircleFilled(screen_point(icon.place_px), 4.5f, light_colour);
     for (int ray = 0; ray < rays; ++ray) {
       const double angle_rad = 2.0 * std::numbers::pi * ray / rays;
       const glm::dvec2 way(std::cos(angle_rad), std::sin(angle_rad));
-      list.AddLine(screen_point(*place_px + 7.0 * way), screen_point(*place_px + 10.0 * way), light_colour,
-                   1.5f);
+      list.AddLine(screen_point(icon.place_px + 7.0 * way), screen_point(icon.place_px + 10.0 * way),
+                   light_colour, 1.5f);
     }
   }
 }
@@ -222,7 +226,7 @@ Edit ObjectEditor::pull(ViewState& state, LiveSea& sea, const Screen& screen, gl
 }
 
 void ObjectEditor::select_at(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
-  if (const std::optional<std::size_t> light = light_near(state, screen, pixel_of_clip(screen, clip)))
+  if (const auto light = handle_near(light_icons(state, screen), pixel_of_clip(screen, clip)))
     return select_object(state, {ObjectKind::light, *light});
   const std::optional<MeshHit> hit = picker_.hit(sea.meshes(), screen.camera, clip);
   if (hit && hit->distance_m < distance_of_ground_m(sea, screen, clip)) {
@@ -231,7 +235,11 @@ void ObjectEditor::select_at(ViewState& state, LiveSea& sea, const Screen& scree
     state.picked = hit->highlight;
     return;
   }
-  if (state.clouds.pick == CloudPick::clouds) return;  // the editor of clouds has looked for one
+  if (state.clouds.pick == CloudPick::clouds) {  // the editor of clouds has looked for one
+    state.object.reset();
+    state.picked.reset();
+    return;
+  }
   const ShownClouds shown{state.scene, sea.clouds(), state.clock.time_s()};
   if (const std::optional<CloudPart> cloud = pick_cloud(shown, ray_at(screen, clip)))
     return select_object(state, {ObjectKind::cloud, cloud->cloud});
@@ -314,7 +322,7 @@ void ObjectEditor::draw_box(const LiveSea& sea, const Screen& screen, std::size_
 
 void ObjectEditor::draw(const ViewState& state, const LiveSea& sea, const Screen& screen) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  if (state.shows_panels) draw_lights(list, state, screen);
+  draw_lights(list, light_icons(state, screen));
   const std::optional<HeldPlace> place = held_place(state, sea, screen);
   if (!place) return;
   if (const std::optional<std::size_t> mesh = selected_mesh(state)) draw_box(sea, screen, *mesh);

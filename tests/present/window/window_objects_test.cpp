@@ -19,6 +19,7 @@
 #include "host/scene/schema/parameter_table.h"
 #include "present/editing/objects/object_editor.h"
 #include "present/editing/objects/selection.h"
+#include "present/panels/outliner.h"
 #include "present/panels/parameter_widget.h"
 #include "tests/present/window/window_test.h"
 
@@ -89,6 +90,12 @@ class WindowObjectsTest : public WindowTest {
     glfwSetWindowSize(viewer_->window(), 400, 300);
     turn(4);
   }
+  /// Shows the panels again, and the lights with them, which are right of the panel then.
+  void show_lights() {
+    glfwSetWindowSize(viewer_->window(), 1000, 300);
+    press("Tab");
+    turn(4);
+  }
 
   present::Screen screen() const {
     int width = 0, height = 0;
@@ -125,18 +132,6 @@ class WindowObjectsTest : public WindowTest {
     const int end_px = static_cast<int>(list->ContentRegionRect.Max.x - list->Pos.x);
     return find_item(list, present::label_of(state().scene, object), ImHashStr(item.c_str(), 0, of_row),
                      item == "##object" ? 60 : end_px - 8);
-  }
-  /// Whether the mouse finds it in the panel.
-  bool has_item(const char* label) {
-    const ImGuiWindow& panel = *main_panel();
-    const int x = static_cast<int>(panel.Pos.x) + 60;
-    for (int y = static_cast<int>(panel.InnerRect.Min.y); y < static_cast<int>(panel.InnerRect.Max.y);
-         y += 12) {
-      hands_->move_to(x, y);
-      turn();
-      if (ImGui::GetCurrentContext()->HoveredId == main_panel()->GetID(label)) return true;
-    }
-    return false;
   }
   void choose_new(const char* label) {
     click(find(main_panel(), "add##objects", 20));
@@ -200,10 +195,12 @@ TEST_F(WindowObjectsTest, ValuesAreOfTheSelection) {
   EXPECT_GT(state().scene.meshes[1].size_m, 0.3);
   EXPECT_EQ(state().scene.meshes[0].size_m, 0.5);
   find(main_panel(), "Highlights");
-  EXPECT_FALSE(has_item("Air"));
+  using scene::ParameterGroup;
+  EXPECT_TRUE(present::is_shown_with_selection(state(), ParameterGroup::highlight));
+  EXPECT_FALSE(present::is_shown_with_selection(state(), ParameterGroup::sky));
   press("Escape");
   EXPECT_FALSE(selected());
-  EXPECT_TRUE(has_item("Air"));
+  EXPECT_TRUE(present::is_shown_with_selection(state(), ParameterGroup::sky));
 }
 
 // Fails if a double click does not take a new name, or what is typed is also taken for keys.
@@ -249,7 +246,8 @@ TEST_F(WindowObjectsTest, TheEyeHidesMeshes) {
   EXPECT_TRUE(picture() == one) << "as if it were not there";
 }
 
-// Fails if a click finds another mesh or light than the one under it, or a click beside all keeps it.
+// Fails if a click finds another mesh than the one under it, or a light that is not drawn; or a click beside
+// all keeps what was selected, also where clicks pick clouds.
 TEST_F(WindowObjectsTest, ClicksSelectInThePicture) {
   open_picture();
   click(spot_of_mesh(0));
@@ -257,9 +255,24 @@ TEST_F(WindowObjectsTest, ClicksSelectInThePicture) {
   click(spot_of_mesh(1));
   EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 1}));
   click(spot_of(state().scene.lights[0].place_m));
-  EXPECT_EQ(selected(), (SceneObject{ObjectKind::light, 0}));
+  EXPECT_FALSE(selected()) << "lights are drawn with the panels alone";
+  click(spot_of_mesh(1));
+  while (state().clouds.pick != present::CloudPick::clouds) press("o");
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 1}));
   click({395, 295});
   EXPECT_FALSE(selected());
+}
+
+// Two lights within a hand's width of a click. Fails if it selects another than the nearest one.
+TEST_F(WindowObjectsTest, ClicksSelectTheNearestLight) {
+  const std::string second = "[[light]]\nkind = \"place\"\nx_m = 0.96\ny_m = 1.1\nz_m = 2\n";
+  open(options_of((objects_text + second).c_str()));
+  press("Tab");
+  show_lights();
+  for (const std::size_t light : {0u, 1u}) {
+    click(spot_of(state().scene.lights[light].place_m));
+    EXPECT_EQ(selected(), (SceneObject{ObjectKind::light, light}));
+  }
 }
 
 // Fails if an arrow does not bring a mesh where the hand goes, a ring does not turn it, the rim does not
@@ -300,8 +313,7 @@ TEST_F(WindowObjectsTest, HandlesMoveTurnAndResizeMeshes) {
 // Fails if a hand does not bring a light where it lets go.
 TEST_F(WindowObjectsTest, HandlesMoveLights) {
   open_picture();
-  press("Tab");  // lights are drawn with the panels
-  press("Tab");
+  show_lights();
   click(spot_of(state().scene.lights[0].place_m));
   const glm::dvec3 place_m = state().scene.lights[0].place_m;
   const glm::dvec2 arrow_px = handle_px(ObjectHandle::y);
