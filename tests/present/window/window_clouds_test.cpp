@@ -273,9 +273,9 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   EXPECT_EQ(balls().size(), 4u);
   EXPECT_TRUE(settled_image() == placed);
 
-  show_panels();
   click(spot_of(balls()[3].centre_m));
   ASSERT_FALSE(state().clouds.picked.empty());
+  show_panels();
   click(find(editor_panel(), "genus"));
   click(find(open_list(), "cumulonimbus", 20));
   wait_for_clouds();
