@@ -17,7 +17,7 @@ namespace {
 // Edges of cubes of a cloud's box (CLOUD_MARCH_EDGES), px, between which marching takes over from billboards.
 constexpr double billboards_px = 1.5, marched_px = 2.5;
 // Clouds that are marched at most: the largest on the screen.
-constexpr std::size_t most_volumes = 16;
+constexpr std::size_t most_volumes = 8;
 
 // Between the particles and the sides of a volume: half a cell, and what balls of the least radius stand out.
 constexpr double margin_cells = 0.5 + CLOUD_MARCH_LEAST_RADIUS;
