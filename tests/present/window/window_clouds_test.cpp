@@ -68,9 +68,6 @@ class WindowCloudsTest : public WindowTest {
     glfwGetWindowSize(viewer_->window(), &width, &height);
     return {state().camera.camera(), {width, height}};
   }
-  static Spot spot(glm::dvec2 px) {
-    return {static_cast<int>(std::lround(px.x)), static_cast<int>(std::lround(px.y))};
-  }
   Spot spot_of(const glm::dvec3& place_m) const { return spot(*present::pixel_of(screen(), place_m)); }
   present::ShownClouds shown() const {
     return {state().scene, viewer_->sea().clouds(), state().clock.time_s()};
@@ -92,17 +89,7 @@ class WindowCloudsTest : public WindowTest {
     return picture();
   }
   void pull(glm::dvec2 from_px, glm::dvec2 to_px) {
-    hands_->move_to(spot(from_px).x, spot(from_px).y);
-    turn();
-    hands_->button(Hands::Button::left, Hands::Motion::down);
-    turn();
-    for (int step = 1; step <= 4; ++step) {
-      const Spot at = spot(from_px + 0.25 * step * (to_px - from_px));
-      hands_->move_to(at.x, at.y);
-      turn();
-    }
-    hands_->button(Hands::Button::left, Hands::Motion::up);
-    turn(2);
+    WindowTest::pull(from_px, to_px);
     wait_for_clouds();
   }
   void hold_and_press(const std::vector<const char*>& held, const char* key) {

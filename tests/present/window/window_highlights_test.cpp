@@ -87,25 +87,9 @@ class WindowHighlightsTest : public WindowTest {
     }
     throw std::runtime_error("the handle is gone");
   }
-  static Spot spot(glm::dvec2 px) {
-    return {static_cast<int>(std::lround(px.x)), static_cast<int>(std::lround(px.y))};
-  }
 
-  /// Takes hold, goes there in steps, waits for the highlight and lets go.
-  void pull(glm::dvec2 from_px, glm::dvec2 to_px) {
-    hands_->move_to(spot(from_px).x, spot(from_px).y);
-    turn();
-    hands_->button(Hands::Button::left, Hands::Motion::down);
-    turn();
-    for (int step = 1; step <= 4; ++step) {
-      const Spot at = spot(from_px + 0.25 * step * (to_px - from_px));
-      hands_->move_to(at.x, at.y);
-      turn();
-    }
-    turn(5);
-    hands_->button(Hands::Button::left, Hands::Motion::up);
-    turn(2);
-  }
+  /// Waits for the highlight before it lets go.
+  void pull(glm::dvec2 from_px, glm::dvec2 to_px) { WindowTest::pull(from_px, to_px, 5); }
   /// The highlight of a light.
   std::uint64_t id_of(int light) const {
     for (const highlights::DrawnHighlight& highlight : viewer_->sea().meshes()[0].highlights()) {

@@ -102,9 +102,6 @@ class WindowObjectsTest : public WindowTest {
     glfwGetWindowSize(viewer_->window(), &width, &height);
     return {state().camera.camera(), {width, height}};
   }
-  static Spot spot(glm::dvec2 px) {
-    return {static_cast<int>(std::lround(px.x)), static_cast<int>(std::lround(px.y))};
-  }
   Spot spot_of(const glm::dvec3& place_m) const { return spot(*present::pixel_of(screen(), place_m)); }
   Spot spot_of_mesh(std::size_t mesh) const { return spot_of(state().scene.meshes[mesh].position_m); }
   glm::dvec2 handle_px(ObjectHandle handle) const {
@@ -136,20 +133,6 @@ class WindowObjectsTest : public WindowTest {
   void choose_new(const char* label) {
     click(find(main_panel(), "add##objects", 20));
     click(find(open_menu(), label, 20));
-  }
-  /// Takes hold, goes there in steps and lets go.
-  void pull(glm::dvec2 from_px, glm::dvec2 to_px) {
-    hands_->move_to(spot(from_px).x, spot(from_px).y);
-    turn();
-    hands_->button(Hands::Button::left, Hands::Motion::down);
-    turn();
-    for (int step = 1; step <= 4; ++step) {
-      const Spot at = spot(from_px + 0.25 * step * (to_px - from_px));
-      hands_->move_to(at.x, at.y);
-      turn();
-    }
-    hands_->button(Hands::Button::left, Hands::Motion::up);
-    turn(2);
   }
 };
 

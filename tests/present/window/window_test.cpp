@@ -121,6 +121,25 @@ void WindowTest::drag(Spot from, Spot to) {
   turn(2);
 }
 
+WindowTest::Spot WindowTest::spot(glm::dvec2 px) {
+  return {static_cast<int>(std::lround(px.x)), static_cast<int>(std::lround(px.y))};
+}
+
+void WindowTest::pull(glm::dvec2 from_px, glm::dvec2 to_px, int frames_held) {
+  hands_->move_to(spot(from_px).x, spot(from_px).y);
+  turn();
+  hands_->button(Hands::Button::left, Hands::Motion::down);
+  turn();
+  for (int step = 1; step <= 4; ++step) {
+    const Spot at = spot(from_px + 0.25 * step * (to_px - from_px));
+    hands_->move_to(at.x, at.y);
+    turn();
+  }
+  turn(frames_held);
+  hands_->button(Hands::Button::left, Hands::Motion::up);
+  turn(2);
+}
+
 void WindowTest::type(const std::string& text) {
   hands_->type(text);
   do turn();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "host/base/work.h"
@@ -41,6 +42,9 @@ class WindowTest : public testing::Test {
   void click(Spot spot);
   /// Presses, moves and releases, a frame each.
   void drag(Spot from, Spot to);
+  static Spot spot(glm::dvec2 px);
+  /// Takes hold, goes there in steps, stays for some frames and lets go.
+  void pull(glm::dvec2 from_px, glm::dvec2 to_px, int frames_held = 0);
   /// Into the field that has the keyboard.
   void type(const std::string& text);
   void enter(Spot spot, const std::string& text);
