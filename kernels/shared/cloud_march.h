@@ -9,6 +9,9 @@
 #define CLOUD_MARCH_BLOCK 4
 #define CLOUD_MARCH_BLOCKS (CLOUD_MARCH_CELLS / (CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK * CLOUD_MARCH_BLOCK))
 
+// Clouds that are marched at most: the largest on the screen.
+#define CLOUD_MARCH_VOLUMES 6
+
 // A cloud's box divided into so many equal cubes: the cloud is marched where their edge is large in the picture.
 #define CLOUD_MARCH_EDGES 4096.0f
 

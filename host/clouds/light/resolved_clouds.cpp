@@ -16,8 +16,7 @@ namespace {
 
 // Edges of cubes of a cloud's box (CLOUD_MARCH_EDGES), px, between which marching takes over from billboards.
 constexpr double billboards_px = 1.5, marched_px = 2.5;
-// Clouds that are marched at most: the largest on the screen.
-constexpr std::size_t most_volumes = 8;
+constexpr std::size_t most_volumes = CLOUD_MARCH_VOLUMES;
 
 // Between the particles and the sides of a volume: half a cell, and what balls of the least radius stand out.
 constexpr double margin_cells = 0.5 + CLOUD_MARCH_LEAST_RADIUS;
@@ -92,7 +91,7 @@ glm::dvec3 along(const CloudMarchVolume& axes, const glm::dvec3& place) {
 
 struct Wanted {
   int cloud;
-  double edge_px, distance_m;
+  double edge_px;
 };
 
 ocl::Kernel march_kernel(const ocl::Device& device, const char* source, const char* kernel,
@@ -195,9 +194,7 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
         high_m(bounds.high_x, bounds.high_y, bounds.high_z);
     const double nearest_m = glm::distance(eye_in_volume_m, glm::clamp(eye_in_volume_m, low_m, high_m));
     const double edge_px = px_a_tangent * bounds.edge_m / std::max<double>(nearest_m, bounds.edge_m);
-    if (edge_px > billboards_px)
-      wanted.push_back(
-          {static_cast<int>(cloud), edge_px, glm::distance(eye_in_volume_m, 0.5 * (low_m + high_m))});
+    if (edge_px > billboards_px) wanted.push_back({static_cast<int>(cloud), edge_px});
   }
   std::sort(wanted.begin(), wanted.end(),
             [](const Wanted& a, const Wanted& b) { return a.edge_px > b.edge_px; });
@@ -210,7 +207,6 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
   const auto is_free = [&](const std::optional<int>& slot) {
     return !slot || std::ranges::find(wanted, *slot, &Wanted::cloud) == wanted.end();
   };
-  std::vector<std::pair<double, CloudMarchVolume>> sorted;
   for (const Wanted& one : wanted) {
     CloudMarchVolume volume = volume_of(bounds_[static_cast<std::size_t>(one.cloud)], axes_, one.cloud);
     volume.share = static_cast<float>(smooth(least_px, least_px * marched_px / billboards_px, one.edge_px));
@@ -223,10 +219,10 @@ void ResolvedClouds::resolve(const Camera& camera, const glm::dvec3& origin_m) {
       *slot = one.cloud;
     }
     shares[static_cast<std::size_t>(one.cloud)] = 1.0f - volume.share;
-    sorted.emplace_back(one.distance_m, volume);
+    volumes_.push_back(volume);
   }
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [distance_m, volume] : sorted) volumes_.push_back(volume);
+  // Pictures depend on the order a little where volumes overlap.
+  std::ranges::sort(volumes_, {}, &CloudMarchVolume::cloud);
   // A write waits for the device.
   const bool are_held =
       volumes_.size() == volumes_held_.size() &&

@@ -81,7 +81,7 @@ class ResolvedClouds {
   std::vector<CloudMarchBounds> bounds_;        // one a cloud; empty: nothing is resolved
   CloudMarchVolume axes_{};                     // of all volumes
   std::vector<std::optional<int>> slots_;       // whose volume each holds
-  std::vector<CloudMarchVolume> volumes_;       // the nearest first
+  std::vector<CloudMarchVolume> volumes_;       // in the order of their clouds
   std::vector<CloudMarchVolume> volumes_held_;  // as volumes_buffer_ has them
   std::vector<float> shares_held_;              // as shares_ has them
   glm::dvec3 origin_m_{0.0};

@@ -2,7 +2,7 @@
 // the eye, in the delta-scaled medium (kernels/clouds/light_grid.clh): suns' light that comes straight from them, with the
 // phase of the whole way (phase tables), and what was scattered before, of sources. Sky that is only scattered nearly
 // forward is seen too: the scaled medium lets more of it through than the true one.
-// In:  volumes [volume_count], the nearest first; cells [slots][1 + suns][CLOUD_MARCH_CELLS]: density and depths of
+// In:  volumes [volume_count], whose boxes may overlap; cells [slots][1 + suns][CLOUD_MARCH_CELLS]: density and depths of
 //      kernels/clouds/march in pairs along x; blocks and sources; grids, looks, lights; phases in pairs along angles;
 //      squares of the noise of lumps (host/clouds/light/lump_noise.h); the camera, with places in the axes of the volumes; scene_depth as
 //      billboard_composite.cl has it.
@@ -30,8 +30,12 @@
 #define LUMP_MEAN 0.063f
 #define FAINT_TEXEL_PX 0.25f
 #define CLEAR_TEXEL_PX 0.8f
+// Where volumes overlap, rays go through one after the other in parts of this length, in the smaller of their cells.
+#define SLICE_CELLS 2.0f
 // Directions this near to level see sky and ground, mixed.
 #define LEVEL_SINE 0.05f
+// Metres further than anything is seen.
+#define BEYOND 1e30f
 
 // Where values between the middles of cells are sampled.
 typedef struct {
@@ -135,22 +139,40 @@ typedef struct {
   int source_pitch;  // of its values
 } MarchedArrays;
 
-// Goes through a volume behind others of this depth, where rays still go on. `arrays` are those of its slot.
+// The box of a volume as rays see it.
+typedef struct {
+  lanes ray_x, ray_y, ray_z;  // directions along its axes
+  float low_x, low_y, low_z;  // from the eye, in metres
+} SeenBox;
+
+INLINE SeenBox seen_box(const CloudMarchVolume volume, CloudImageParams params, PixelRays rays) {
+  const float3 eye_m = in_volume(volume, (float3)(params.eye_x_m, params.eye_y_m, params.eye_z_m));
+  const SeenBox box = {fma(rays.x, (lanes)volume.right_x, fma(rays.y, (lanes)volume.right_y, rays.z * volume.right_z)),
+                       fma(rays.x, (lanes)volume.up_x, fma(rays.y, (lanes)volume.up_y, rays.z * volume.up_z)),
+                       fma(rays.x, (lanes)volume.sun_x, fma(rays.y, (lanes)volume.sun_y, rays.z * volume.sun_z)),
+                       volume.low_x - eye_m.x,
+                       volume.low_y - eye_m.y,
+                       volume.low_z - eye_m.z};
+  return box;
+}
+
+// Distances at which rays enter and leave a volume; both BEYOND where they miss it.
+INLINE void find_ends(const CloudMarchVolume volume, CloudImageParams params, PixelRays rays, lanes *enter, lanes *leave) {
+  const SeenBox box = seen_box(volume, params, rays);
+  *enter = 0.0f, *leave = rays.scene_m;
+  clip(box.ray_x, box.low_x, box.low_x + (float)volume.size_x * volume.cell_m, enter, leave);
+  clip(box.ray_y, box.low_y, box.low_y + (float)volume.size_y * volume.cell_m, enter, leave);
+  clip(box.ray_z, box.low_z, box.low_z + (float)volume.size_z * volume.cell_m, enter, leave);
+  const int_lanes hits = mask_of(*enter < *leave);
+  *enter = select((lanes)BEYOND, *enter, hits);
+  *leave = select((lanes)BEYOND, *leave, hits);
+}
+
+// Goes through a part of a volume behind this depth, where rays go on. `arrays` are those of its slot.
 INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, const CloudScattering look,
                           __global const CloudLightParams *restrict light, MarchedArrays arrays, CloudImageParams params,
-                          PixelRays rays, int_lanes goes_on, lanes depth_before, March *march) {
-  const float3 eye_m = in_volume(volume, (float3)(params.eye_x_m, params.eye_y_m, params.eye_z_m));
-  const float low_x = volume.low_x - eye_m.x, low_y = volume.low_y - eye_m.y, low_z = volume.low_z - eye_m.z;
-  const lanes ray_x = fma(rays.x, (lanes)volume.right_x, fma(rays.y, (lanes)volume.right_y, rays.z * volume.right_z));
-  const lanes ray_y = fma(rays.x, (lanes)volume.up_x, fma(rays.y, (lanes)volume.up_y, rays.z * volume.up_z));
-  const lanes ray_z = fma(rays.x, (lanes)volume.sun_x, fma(rays.y, (lanes)volume.sun_y, rays.z * volume.sun_z));
-  lanes enter = 0.0f, leave = rays.scene_m;
-  clip(ray_x, low_x, low_x + (float)volume.size_x * volume.cell_m, &enter, &leave);
-  clip(ray_y, low_y, low_y + (float)volume.size_y * volume.cell_m, &enter, &leave);
-  clip(ray_z, low_z, low_z + (float)volume.size_z * volume.cell_m, &enter, &leave);
-  goes_on &= mask_of(enter < leave);
-  if (!any_lane(goes_on)) return;
-
+                          PixelRays rays, int_lanes goes_on, lanes enter, lanes leave, lanes depth_before, March *march) {
+  const SeenBox box = seen_box(volume, params, rays);
   lanes angle_places[CLOUD_SUNS];
   for (int sun = 0; sun < light->sun_count; ++sun) {
     const CloudLightSource from = light->suns[sun];
@@ -159,9 +181,10 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
     angle_places[sun] = sqrt(acos(clamp(cosine, (lanes)-1.0f, (lanes)1.0f)) / 3.14159265f) * (float)(CLOUD_PHASE_ANGLES - 1);
   }
   const float a_cell = 1.0f / volume.cell_m;
-  const lanes speed_x = a_cell * ray_x, speed_y = a_cell * ray_y, speed_z = a_cell * ray_z;
+  const lanes speed_x = a_cell * box.ray_x, speed_y = a_cell * box.ray_y, speed_z = a_cell * box.ray_z;
   const float block_m = (float)CLOUD_MARCH_BLOCK * volume.cell_m, a_block = 1.0f / (float)CLOUD_MARCH_BLOCK;
-  const lanes cross_x = crossing(ray_x, block_m), cross_y = crossing(ray_y, block_m), cross_z = crossing(ray_z, block_m);
+  const lanes cross_x = crossing(box.ray_x, block_m), cross_y = crossing(box.ray_y, block_m),
+              cross_z = crossing(box.ray_z, block_m);
   const int block_columns = volume.size_x / CLOUD_MARCH_BLOCK, block_rows = volume.size_y / CLOUD_MARCH_BLOCK;
   const int block_planes = volume.size_z / CLOUD_MARCH_BLOCK;
   const float3 own_cell = grid_cell(grid);  // of the light's grid
@@ -180,8 +203,8 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
   // A ray crosses no more blocks and no more pieces of cells than these.
   const int most_pieces = 8 * (volume.size_x + volume.size_y + volume.size_z);
   for (int number = 0; number < most_pieces; ++number) {
-    const lanes x = fma(way, speed_x, (lanes)(-a_cell * low_x)), y = fma(way, speed_y, (lanes)(-a_cell * low_y)),
-                z = fma(way, speed_z, (lanes)(-a_cell * low_z));
+    const lanes x = fma(way, speed_x, (lanes)(-a_cell * box.low_x)), y = fma(way, speed_y, (lanes)(-a_cell * box.low_y)),
+                z = fma(way, speed_z, (lanes)(-a_cell * box.low_z));
     const lanes block_x = a_block * x, block_y = a_block * y, block_z = a_block * z;
     const int_lanes block = (up_to(convert_int_lanes(block_z), block_planes - 1) * block_rows +
                              up_to(convert_int_lanes(block_y), block_rows - 1)) * block_columns +
@@ -276,50 +299,72 @@ __kernel void cloud_march(__global const CloudMarchVolume *restrict volumes, int
       const lanes scene = gathered(scene_depth, rows * params.width_px + columns);
       const PixelRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), scene);
       const lanes up = clamp(fma(rays.y, (lanes)(0.5f / LEVEL_SINE), (lanes)0.5f), (lanes)0.0f, (lanes)1.0f);
+      lanes enter[CLOUD_MARCH_VOLUMES], leave[CLOUD_MARCH_VOLUMES], way = BEYOND;
+      int most_slices = 2 * volume_count;
+      for (int i = 0; i < volume_count; ++i) {
+        find_ends(volumes[i], params, rays, &enter[i], &leave[i]);
+        way = least(way, enter[i]);
+        // A ray crosses no more slices of cells than these.
+        most_slices += volumes[i].size_x + volumes[i].size_y + volumes[i].size_z;
+      }
       // Of the scaled medium and of the true one.
       lanes kept[3] = {1.0f, 1.0f, 1.0f}, through = 1.0f;
       lanes light[3] = {0.0f, 0.0f, 0.0f}, distance = 0.0f;
-      for (int i = 0; i < volume_count; ++i) {
-        const CloudMarchVolume volume = volumes[i];
-        const size_t slot = volume.slot;
-        const CloudScattering look = looks[volume.cloud];
-        __global const CloudLightParams *lit_by = lights + volume.cloud;
-        const MarchedArrays arrays = {
-            cells + slot * (1 + lit_by->sun_count) * CLOUD_MARCH_CELLS,
-            phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
-            noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VALUES,
-            grids[volume.cloud].room};
-        March march;
-        march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
-        for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
-        const int_lanes goes_on = mask_of(most(kept[0], most(kept[1], kept[2])) > LEAST_KEPT);
-        march_through(volume, grids[volume.cloud], look, lit_by, arrays, params, rays, goes_on, -log_of(most(through, (lanes)1e-30f)),
-                      &march);
-        if (!any_lane(mask_of(march.depth > 0.0f))) continue;
-        const float sky[3] = {lit_by->sky_red, lit_by->sky_green, lit_by->sky_blue};
-        const float ground[3] = {lit_by->ground_red, lit_by->ground_green, lit_by->ground_blue};
-        // Billboards show the rest of the cloud, and behind a part of it is not the sky, but the rest.
-        const lanes own_through = exp_of(-march.depth), seen_through = exp_of(-volume.share * march.depth);
-        const lanes share = (1.0f - seen_through) / most(1.0f - own_through, (lanes)1e-6f);
-        distance = fma(through * share, march.distance_m, distance);
-        const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
-        for (int colour = 0; colour < 3; ++colour) {
-          const lanes own_kept = march.kept[CHANNELS == 1 ? 0 : colour];
-          // What is as good as full is taken as full of what it has shown.
-          const lanes own_light = march.light[colour] * select((lanes)1.0f, 1.0f / (1.0f - own_kept), is_full);
-          const lanes scattered = select(own_kept - own_through, (lanes)0.0f, is_full);
-          const lanes beyond = mixed((lanes)ground[colour], (lanes)sky[colour], up);
-          light[colour] = fma(kept[colour] * share, fma((1.0f - volume.share) * scattered, beyond, own_light), light[colour]);
-          kept[colour] *= fma(volume.share, scattered, seen_through);
+      lanes sky[3] = {0.0f, 0.0f, 0.0f};  // behind what is seen of clouds
+      int_lanes goes_on = mask_of(way < BEYOND);
+      for (int slice = 0; slice < most_slices && any_lane(goes_on); ++slice) {
+        // To the next end of a volume, or a slice where there are several.
+        lanes end = BEYOND, slice_m = BEYOND;
+        int_lanes inside = 0;
+        for (int i = 0; i < volume_count; ++i) {
+          const int_lanes is_before = mask_of(enter[i] > way), is_in = ~is_before & mask_of(leave[i] > way);
+          end = least(end, select(select((lanes)BEYOND, leave[i], is_in), enter[i], is_before));
+          slice_m = select(slice_m, least(slice_m, (lanes)(SLICE_CELLS * volumes[i].cell_m)), is_in);
+          inside -= is_in;
         }
-        through *= seen_through;
+        end = select(end, least(end, way + slice_m), mask_of(inside > 1));
+        for (int i = 0; i < volume_count; ++i) {
+          const int_lanes is_in = goes_on & mask_of(enter[i] <= way) & mask_of(leave[i] > way);
+          if (!any_lane(is_in)) continue;
+          const CloudMarchVolume volume = volumes[i];
+          const size_t slot = volume.slot;
+          const CloudScattering look = looks[volume.cloud];
+          __global const CloudLightParams *lit_by = lights + volume.cloud;
+          const MarchedArrays arrays = {
+              cells + slot * (1 + lit_by->sun_count) * CLOUD_MARCH_CELLS,
+              phases + (size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES,
+              noise, blocks + slot * CLOUD_MARCH_BLOCKS, sources + slot * grids[volume.cloud].room * SOURCE_VALUES,
+              grids[volume.cloud].room};
+          March march;
+          march.light[0] = march.light[1] = march.light[2] = march.distance_m = march.depth = 0.0f;
+          for (int channel = 0; channel < CHANNELS; ++channel) march.kept[channel] = 1.0f;
+          march_through(volume, grids[volume.cloud], look, lit_by, arrays, params, rays, is_in, way, end,
+                        -log_of(most(through, (lanes)1e-30f)), &march);
+          if (!any_lane(mask_of(march.depth > 0.0f))) continue;
+          const float skies[3] = {lit_by->sky_red, lit_by->sky_green, lit_by->sky_blue};
+          const float ground[3] = {lit_by->ground_red, lit_by->ground_green, lit_by->ground_blue};
+          // Billboards show the rest of the cloud, and behind a part of it is not the sky, but the rest.
+          const lanes own_through = exp_of(-march.depth), seen_through = exp_of(-volume.share * march.depth);
+          const lanes share = (1.0f - seen_through) / most(1.0f - own_through, (lanes)1e-6f);
+          distance = fma(through * share, march.distance_m, distance);
+          const int_lanes is_full = mask_of(most_kept(&march) <= LEAST_KEPT);
+          for (int colour = 0; colour < 3; ++colour) {
+            const lanes own_kept = march.kept[CHANNELS == 1 ? 0 : colour];
+            // What is as good as full is taken as full of what it has shown.
+            const lanes own_light = march.light[colour] * select((lanes)1.0f, 1.0f / (1.0f - own_kept), is_full);
+            const lanes scattered = select(own_kept - own_through, (lanes)0.0f, is_full);
+            const lanes beyond = mixed((lanes)ground[colour], (lanes)skies[colour], up);
+            light[colour] = fma(kept[colour] * share, fma((1.0f - volume.share) * scattered, beyond, own_light), light[colour]);
+            kept[colour] *= fma(volume.share, scattered, seen_through);
+            sky[colour] = fma(through * (1.0f - seen_through), beyond, sky[colour]);
+          }
+          through *= seen_through;
+        }
+        way = end;
+        goes_on &= mask_of(way < BEYOND) & mask_of(most(kept[0], most(kept[1], kept[2])) > LEAST_KEPT);
       }
-      if (any_lane(mask_of(through < 1.0f))) {
-        __global const CloudLightParams *lit_by = lights + volumes[volume_count - 1].cloud;
-        light[0] = fma(kept[0] - through, mixed((lanes)lit_by->ground_red, (lanes)lit_by->sky_red, up), light[0]);
-        light[1] = fma(kept[1] - through, mixed((lanes)lit_by->ground_green, (lanes)lit_by->sky_green, up), light[1]);
-        light[2] = fma(kept[2] - through, mixed((lanes)lit_by->ground_blue, (lanes)lit_by->sky_blue, up), light[2]);
-      }
+      for (int colour = 0; colour < 3; ++colour)
+        light[colour] = fma((kept[colour] - through) / most(1.0f - through, (lanes)1e-6f), sky[colour], light[colour]);
       const Sight sight = {light[0], light[1], light[2], distance, through};
       write_block(sight, column, row, params, image, distance_m);
     }
