@@ -40,6 +40,7 @@ Examples:
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
   offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
   offing-view scenes/flight.toml --video flight.webm
+  offing-view scenes/knot.toml --headless --highlights only -o glints.exr
   offing-view --terrain S33W071.tif
   offing-view scenes/cumulus.toml --compare-reference -o compared
 
@@ -77,7 +78,11 @@ std::vector<scene::Row<ViewOptions>> picture_rows() {
             .high = 1.0,
             .help = "scale of the picture that a window draws and shows enlarged; less is faster",
             .example = "0.5"}},
-          {&ViewOptions::time_s, time_facts("time to show", "the scene's start")}};
+          {&ViewOptions::time_s, time_facts("time to show", "the scene's start")},
+          {scene::choice(&ViewOptions::highlights, {"shown", "hidden", "only", "unobstructed"}),
+           {.key = "highlights",
+            .help = "highlights of meshes in pictures; only: nothing else, with alpha, to lay over hidden\n"
+                    "unobstructed: the same, hidden by their own mesh alone"}}};
 }
 
 std::vector<scene::Row<ReferenceComparison>> reference_rows() {
@@ -213,6 +218,16 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
   return comparison;
 }
 
+/// Throws where a scene has no highlights that could stand alone.
+void require_highlights(const scene::Scene& scene) {
+  for (const scene::MeshScene& mesh : scene.meshes) {
+    if (mesh.shown == scene::MeshHighlights::on) return;
+  }
+  throw Error(ErrorKind::bad_input,
+              "--highlights: expected a scene with a [[mesh]] that has highlights, found none",
+              "add a [[mesh]] to the scene, such as that of scenes/knot.toml");
+}
+
 /// Throws at the first flag that the others leave without effect.
 void refuse_unused(const Written& written, const ViewOptions& options) {
   const auto refuse = [](const char* what, const char* hint) {
@@ -236,6 +251,13 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   }
   if (written.existing == Existing::replace && options.output.empty() && !options.recording) {
     refuse("--force: expected -o, --record or --video, found none", "leave --force out");
+  }
+  if (written.view.is_given("--highlights") && (options.opens_window || options.comparison)) {
+    refuse("--highlights: expected pictures in files, found a window or --compare-reference",
+           "use --headless -o out.png, or --record out_%04d.png");
+  }
+  if (is_alone(options.highlights) && options.recording && !options.recording->video.empty()) {
+    refuse("--highlights: expected pictures, found a video, which has no alpha", "add --record out_%04d.png");
   }
   if (options.opens_window && !options.recording) return;
   if (options.kept_hz) {
@@ -335,6 +357,7 @@ ViewOptions checked(const Written& written) {
                 "--headless: expected a picture to make, found neither -o nor --record nor --video",
                 "add -o out.png");
   }
+  if (is_alone(options.highlights)) require_highlights(options.scene);
   refuse_unused(written, options);
   require_outputs(written, options);
   return options;

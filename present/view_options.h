@@ -60,6 +60,7 @@ struct ViewOptions {
   std::filesystem::path output;  ///< one picture; empty: none
   Existing existing = Existing::keep;
   std::optional<Recording> recording;
+  HighlightShow highlights = HighlightShow::shown;  ///< of pictures in files
   std::optional<ReferenceComparison> comparison;
   std::optional<TransferPath> transfer;
   std::string device;  ///< selector of ocl::select_device

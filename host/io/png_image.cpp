@@ -173,6 +173,11 @@ float srgb_by_lines(float linear) {
 
 }  // namespace
 
+float filmic(float exposed) {
+  const float x = exposed;
+  return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+}
+
 float dither_noise(int column, int row) {
   // No value here is negative. std::floor() would be a function call.
   const auto fraction = [](float value) { return value - static_cast<float>(static_cast<int>(value)); };

@@ -43,6 +43,12 @@ void Recorder::write(const Frame& drawn, double time_s, double exposure) {
   ++count_;
 }
 
+void Recorder::write(const HighlightLayer& layer, double time_s, double exposure) {
+  write_layer(recording_.name->of(recording_.frames.first + count_), layer, time_s, exposure,
+              recording_.existing);
+  ++count_;
+}
+
 void Recorder::finish() {
   if (video_) video_->finish();
 }

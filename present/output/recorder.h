@@ -8,6 +8,7 @@
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
 #include "host/io/frame_name.h"
+#include "present/output/highlight_layer.h"
 #include "present/output/video_pipe.h"
 #include "present/passes/frame.h"
 
@@ -38,6 +39,8 @@ class Recorder {
 
   /// The next frame, as it was drawn last at that time and exposure. Throws Error(file).
   void write(const Frame& drawn, double time_s, double exposure);
+  /// The same of its highlights, for recordings without a video.
+  void write(const HighlightLayer& layer, double time_s, double exposure);
   /// How many were written.
   int count() const { return count_; }
   bool is_complete() const { return count_ == recording_.count(); }

@@ -35,7 +35,8 @@ SceneImages::SceneImages(const scene::Scene& scene, const ocl::DeviceInfo& devic
                to_string(frame_.transfer_path()));
 }
 
-bool SceneImages::draw(double time_s, double first_s, const ImageSize& size, const CancelToken& cancel) {
+bool SceneImages::draw(double time_s, double first_s, const ImageSize& size, const CancelToken& cancel,
+                       HighlightShow highlights) {
   if (cancel.cancelled()) return false;
   warn_of_eye(time_s);
   scene::ViewScene view = scene::show_at(world_, scene_, time_s);
@@ -43,10 +44,24 @@ bool SceneImages::draw(double time_s, double first_s, const ImageSize& size, con
   view.camera.height_px = size.height;
   exposure_ = light_meter_.exposure(world_, view.camera, view.exposure_ev);
   if (cancel.cancelled()) return false;
-  frame_.draw(
-      world_,
-      {.camera = view.camera, .exposure = exposure_, .lighting_at = lighting_at_, .first_s = first_s});
+  frame_.draw(world_, {.camera = view.camera,
+                       .exposure = exposure_,
+                       .highlights = highlights,
+                       .lighting_at = lighting_at_,
+                       .first_s = first_s});
   return !cancel.cancelled();
+}
+
+std::optional<HighlightLayer> SceneImages::draw_highlights(double time_s, double first_s,
+                                                           const ImageSize& size, const CancelToken& cancel,
+                                                           HighlightShow highlights) {
+  if (!draw(time_s, first_s, size, cancel, highlights)) return std::nullopt;
+  const PictureLight alone = read_light(frame_.light());
+  if (highlights == HighlightShow::unobstructed) return highlight_layer(alone, exposure_);
+  if (!draw(time_s, first_s, size, cancel, HighlightShow::hidden)) return std::nullopt;
+  const PictureLight without = read_light(frame_.light());
+  if (!draw(time_s, first_s, size, cancel)) return std::nullopt;
+  return highlight_layer(alone, read_light(frame_.light()), without, exposure_);
 }
 
 /// Warns of a misplaced eye, once.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "host/base/work.h"
 #include "host/ocl/device.h"
 #include "host/scene/model/scene.h"
 #include "host/world/world.h"
 #include "present/gl/gl_context.h"
+#include "present/output/highlight_layer.h"
 #include "present/passes/frame.h"
 #include "present/passes/sky/light_meter.h"
 #include "present/view_options.h"
@@ -20,7 +23,12 @@ class SceneImages {
               const CancelToken& cancel);
 
   /// Draws a picture of a sequence that begins at `first_s`. False, with nothing drawn, when asked to stop.
-  bool draw(double time_s, double first_s, const ImageSize& size, const CancelToken& cancel);
+  bool draw(double time_s, double first_s, const ImageSize& size, const CancelToken& cancel,
+            HighlightShow highlights = HighlightShow::shown);
+
+  /// Draws its highlights alone: HighlightShow::only or unobstructed. Nothing when asked to stop.
+  std::optional<HighlightLayer> draw_highlights(double time_s, double first_s, const ImageSize& size,
+                                                const CancelToken& cancel, HighlightShow highlights);
 
   // Of the last draw().
   const Frame& frame() const { return frame_; }

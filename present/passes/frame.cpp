@@ -15,6 +15,14 @@ Camera terrain_camera(const FrameRequest& request) {
   return scaled_camera(request.camera, request.quality.ray_scale());
 }
 
+bool is_obstructed(const FrameRequest& request) {
+  return request.highlights != HighlightShow::unobstructed;
+}
+
+LayerLight light_of_layers(const FrameRequest& request) {
+  return is_alone(request.highlights) ? LayerLight::left_out : LayerLight::drawn;
+}
+
 /// Whether one picture shows about the sky that another did: flight and time lapse do, bookmarks do not.
 bool goes_on_from(const SkySight& before, const SkySight& now) {
   constexpr double farthest_m = 100.0, longest_s = 2.0, least_sun_cosine = 0.9998;  // 1.1 degrees
@@ -68,14 +76,20 @@ bool Frame::draw_light(world::World& world, const FrameRequest& request, bool se
     const StageTimes::Scope stage(times_, Stage::sky);
     sky_.draw(request.camera, light_);
   }
+  if (is_alone(request.highlights)) {
+    // Of what stands before highlights only the depth counts.
+    light_.bind();
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | (is_obstructed(request) ? 0u : GL_DEPTH_BUFFER_BIT));
+  }
   if (!world.meshes().empty()) {
     const StageTimes::Scope stage(times_, Stage::meshes);
     meshes_.draw(world, request, sky_.environment(), shadows_, light_);
     light_.bind();
   }
-  if (sees_terrain) {
+  if (sees_terrain && is_obstructed(request)) {
     const StageTimes::Scope stage(times_, Stage::terrain);
-    terrain_.draw(request.camera, TerrainPass::Part::edges);
+    terrain_.draw(request.camera, TerrainPass::Part::edges, light_of_layers(request));
   }
   return request.is_wanted();
 }
@@ -85,7 +99,8 @@ void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
   const StageTimes::Scope stage(times_, Stage::clouds);
   clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
   light_.bind();
-  clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment());
+  clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment(), CloudPass::AirFrom::eye,
+               light_of_layers(request));
 }
 
 void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
@@ -153,7 +168,9 @@ bool Frame::draw(world::World& world, const FrameRequest& request) {
   } else {
     draw_cloudy_sky(world, request);
     if (!request.is_wanted() || !draw_light(world, request, sees_terrain)) return false;
-    if (world.clouds() != nullptr) draw_clouds(world, request);
+    if (world.clouds() != nullptr && is_obstructed(request)) draw_clouds(world, request);
+    // Water before the eye takes no light from highlights alone: their picture is not drawn anew.
+    if (is_alone(request.highlights)) is_under_ = false;
     if (is_under_) {
       const StageTimes::Scope stage(times_, Stage::water);
       underwater_.draw(world, request.camera,

@@ -53,6 +53,18 @@ inline constexpr std::array all_mesh_shows{MeshShow::light,      MeshShow::curva
                                            MeshShow::projectors, MeshShow::regions,   MeshShow::ids};
 std::string_view to_string(MeshShow show);
 
+/// What a picture shows of highlights.
+enum class HighlightShow {
+  shown,
+  hidden,        ///< none but those that water mirrors or shows beneath it
+  only,          ///< nothing else: premultiplied, with alpha, hidden by all that stands before them
+  unobstructed,  ///< the same, hidden by their own mesh alone
+};
+/// Whether a picture shows nothing but highlights.
+inline bool is_alone(HighlightShow highlights) {
+  return highlights == HighlightShow::only || highlights == HighlightShow::unobstructed;
+}
+
 /// How much of the round map of a cloudy sky a picture draws anew.
 enum class SkyRefresh {
   whole,  ///< a picture is the same whatever was drawn before it
@@ -68,6 +80,7 @@ struct FrameRequest {
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;
+  HighlightShow highlights = HighlightShow::shown;
   world::TileWait tiles = world::TileWait::all;
   SkyRefresh sky = SkyRefresh::whole;
   Quality quality = {};  ///< the camera has the side's share already

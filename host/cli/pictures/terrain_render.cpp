@@ -21,14 +21,11 @@ constexpr double key = 0.3;
 constexpr double mean_albedo = 0.18;
 constexpr double least_klx = 1e-4;
 
-/// Display value 0 ... 1 of a radiance: a film-like curve (Narkowicz 2015, "ACES filmic tone mapping curve"),
-/// still linear light.
+/// Display value of a radiance, still linear light.
 glm::vec3 tone_mapped(glm::vec3 radiance) {
-  const auto curve = [](float x) {
-    x *= 0.6f;  // exposure: the horizon sky lands at about 0.8 of display white
-    return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
-  };
-  return {curve(radiance.x), curve(radiance.y), curve(radiance.z)};
+  constexpr float exposure = 0.6f;  // the horizon sky lands at about 0.8 of display white
+  radiance *= exposure;
+  return {filmic(radiance.x), filmic(radiance.y), filmic(radiance.z)};
 }
 
 void store(RgbImage& image, std::size_t pixel, glm::vec3 linear, float noise) {

@@ -72,7 +72,8 @@ void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, 
   transfer.upload(uploads);
 }
 
-void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment, AirFrom air_from) {
+void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment, AirFrom air_from,
+                     LayerLight light) {
   program_.use();
   bind_sampler(program_, "environment", environment_unit, environment);
   image_.bind(image_unit);
@@ -91,7 +92,7 @@ void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint en
   glBindVertexArray(no_vertices_.name());
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
+  set_layer_blending(light);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
 }

@@ -13,6 +13,7 @@
 #include "present/gl/transfer.h"
 #include "present/gl/uniform_block.h"
 #include "present/passes/clouds/cloud_uniforms.h"
+#include "present/passes/layer_light.h"
 #include "present/passes/view_uniforms.h"
 
 namespace offing::present {
@@ -37,7 +38,7 @@ class CloudPass {
   enum class AirFrom { eye, sea };
   /// Lays the picture of prepare() over the bound target. `environment` is the map of SkyPass.
   void draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment,
-            AirFrom air_from = AirFrom::eye);
+            AirFrom air_from = AirFrom::eye, LayerLight light = LayerLight::drawn);
 
   /// Puts other textures in the place of Offing's own.
   void set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures);

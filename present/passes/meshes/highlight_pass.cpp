@@ -16,7 +16,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, image_unit = 1;
+constexpr int sky_map_unit = 0, highlight_image_unit = 1;
 
 ShaderProgram highlight_program(highlights::HighlightTexture texture) {
   const ShaderPart compiled_for{"features of highlights",
@@ -73,7 +73,7 @@ void HighlightPass::bind_image(const ShaderProgram& program, const highlights::H
   const ImageUse use =
       controls.texture == highlights::HighlightTexture::normal_map ? ImageUse::normals : ImageUse::colours;
   const int picture = is_image(controls.texture) ? controls.picture : -1;
-  bind_sampler(program, "picture", image_unit,
+  bind_sampler(program, "picture", highlight_image_unit,
                scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
 }
 
@@ -99,7 +99,7 @@ void HighlightPass::draw(const world::WorldMesh& mesh, const MeshGeometry& geome
     if (&program != used) {
       program.use();
       scenery.lights.bind(program);
-      bind_sampler(program, "environment", environment_unit, scenery.environment);
+      bind_sampler(program, "environment", sky_map_unit, scenery.environment);
       used = &program;
     }
     bind_image(program, highlight.controls, scenery);

@@ -13,7 +13,7 @@ void main() {
     vec4 each = texelFetch(samples_of, pixel, i);
     // A screen shows light by its curve, not in proportion: without weights, one sample that is many times brighter
     // than white would make its pixel white, and edges before it ragged.
-    float weight = 1.0 / (1.0 + mesh_end.exposure * max(each.r, max(each.g, each.b)));
+    float weight = mesh_end.is_layer == 1 ? 1.0 : 1.0 / (1.0 + mesh_end.exposure * max(each.r, max(each.g, each.b)));
     sum += weight * each.rgb;
     weights += weight;
     covered += each.a;
@@ -22,7 +22,7 @@ void main() {
     farthest = min(farthest, depth);
   }
   if (covered == 0.0) discard;
-  light = vec4(sum / weights, 1.0);
+  light = vec4(sum / weights, mesh_end.is_layer == 1 ? covered / weights : 1.0);
   // A sample that no mesh covers has the depth of what lies behind, which is the farthest.
   gl_FragDepth = 2.0 * covered >= float(mesh_end.sample_count) ? nearest : farthest;
 }

@@ -43,6 +43,14 @@ void draw_screen(const GlVertexArray& no_vertices) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Meshes send no light where highlights stand alone. They take that of the highlights that they hide.
+void set_base_light(HighlightShow highlights) {
+  const GLboolean writes = highlights == HighlightShow::unobstructed ? GL_FALSE : GL_TRUE;
+  glColorMask(writes, writes, writes, writes);
+  (highlights == HighlightShow::only ? glEnable : glDisable)(GL_BLEND);
+  glBlendFunc(GL_ZERO, GL_ZERO);
+}
+
 }  // namespace
 
 MeshPass::MeshPass(const GlCapabilities& capabilities)
@@ -159,12 +167,15 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   const world::WorldMesh& view = world.meshes()[index];
   if (!view.is_visible()) return;
   const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
+  set_base_light(request.highlights);
   draw_base(world, index, matrices, request, environment);
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {
     draw_outline(index, matrices, request, view.parameters().material);
   }
+  set_base_light(HighlightShow::shown);
   if (request.meshes == MeshShow::directions) lines_.draw_directions(view, matrices, request);
   if (request.meshes == MeshShow::curvature || request.meshes == MeshShow::directions) return;
+  if (request.highlights == HighlightShow::hidden) return;
   highlights_.draw(view, meshes_[index].geometry, matrices, request,
                    {.world = world, .lights = lights_, .pictures = pictures_, .environment = environment});
   if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
@@ -176,7 +187,9 @@ void MeshPass::end(const RenderTarget& target, const FrameRequest& request) {
   samples_.bind_samples(light_samples_unit, depth_samples_unit);
   end_.set("samples_of", light_samples_unit);
   end_.set("depth_of", depth_samples_unit);
-  end_block_.fill({.sample_count = samples_.samples(), .exposure = static_cast<float>(request.exposure)});
+  end_block_.fill({.sample_count = samples_.samples(),
+                   .exposure = static_cast<float>(request.exposure),
+                   .is_layer = is_alone(request.highlights) ? 1 : 0});
   end_block_.bind(end_);
   draw_screen(no_vertices_);
 }
@@ -189,7 +202,11 @@ void MeshPass::draw(const world::World& world, const FrameRequest& request, GLui
   glEnable(GL_SCISSOR_TEST);
   glScissor(box.left, box.bottom, box.width, box.height);
   begin(target);
-  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, MeshPart::all);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    // No mesh before it hides a highlight that is unobstructed.
+    if (request.highlights == HighlightShow::unobstructed) glClear(GL_DEPTH_BUFFER_BIT);
+    draw_mesh(world, i, request, environment, MeshPart::all);
+  }
   end(target, request);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
@@ -199,11 +216,14 @@ void MeshPass::draw_plainly(const world::World& world, const FrameRequest& reque
                             const CloudShadows& shadows, MeshPart part, const RenderTarget& target) {
   if (meshes_.empty()) return;
   lights_.prepare(world, request.camera.eye_m, shadows);
+  // In water, highlights belong to the picture below those of the meshes themselves.
+  FrameRequest seen = request;
+  seen.highlights = HighlightShow::shown;
   target.bind();
   glEnable(GL_DEPTH_TEST);
   // Some drivers clip all the same where it is not enabled: what is not cut has no distance to be clipped at.
   if (part == MeshPart::above_sea) glEnable(GL_CLIP_DISTANCE0);
-  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, part);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, seen, environment, part);
   glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_DEPTH_TEST);
 }

@@ -56,6 +56,7 @@ struct HighlightUniforms {
 struct MeshEndUniforms {
   int sample_count;
   float exposure;  // 1 / (kcd/m2)
+  int is_layer;    // 1: samples are premultiplied light with alpha, over nothing
 };
 
 #ifdef __cplusplus

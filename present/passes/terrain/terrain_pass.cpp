@@ -88,7 +88,7 @@ void TerrainPass::bind(const ShaderProgram& program) const {
   glBindVertexArray(no_vertices_.name());
 }
 
-void TerrainPass::draw(const Camera& camera, Part part) {
+void TerrainPass::draw(const Camera& camera, Part part, LayerLight light) {
   const ShaderProgram& program = is_exact(camera) ? exact_ : enlarged_;
   bind(program);
   if (!is_exact(camera)) bind_sampler(program, "terrain_distances", distances_unit, distances_.texture());
@@ -102,7 +102,7 @@ void TerrainPass::draw(const Camera& camera, Part part) {
   glDepthFunc(GL_GEQUAL);
   if (part == Part::edges) {
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
+    set_layer_blending(light);
   }
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);

@@ -8,6 +8,7 @@
 #include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
 #include "present/gl/uniform_block.h"
+#include "present/passes/layer_light.h"
 #include "present/passes/terrain/terrain_uniforms.h"
 #include "present/passes/view_uniforms.h"
 
@@ -25,8 +26,8 @@ class TerrainPass {
   /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,
   /// at its edges, which go over what lies behind.
   enum class Part { covered, edges };
-  /// Draws onto the bound target, whose depth is reversed, as this camera sees it.
-  void draw(const Camera& camera, Part part);
+  /// Draws onto the bound target, whose depth is reversed, as this camera sees it. `light` is that of edges.
+  void draw(const Camera& camera, Part part, LayerLight light = LayerLight::drawn);
   /// Fills the bound target with the steps that rays took (terrain::step_colours), linear Rec.709.
   void draw_steps();
 

@@ -94,6 +94,35 @@ TEST_F(ViewProgramTest, RecordsFramesOfTheirTimes) {
   EXPECT_FALSE(std::filesystem::exists(path("all_3.png"))) << "frames stop before end_s";
 }
 
+// Fails if recorded highlights have no alpha, are those of another frame, or lack a file.
+TEST_F(ViewProgramTest, RecordsHighlightsAlone) {
+  const std::vector<std::string> ball{OFFING_SCENES "/sphere.toml",
+                                      "--headless",
+                                      "--size",
+                                      "64x36",
+                                      "--detail",
+                                      "low",
+                                      "--highlights",
+                                      "only"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ball.begin(), ball.end());
+    const ProgramResult result = run_offing(more);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+  };
+  run({"--record", path("glint_%d.png"), "--frames", "0:1", "--fps", "1", "-o", path("glint.png")});
+  const RgbaImage first = read_png_with_alpha(path("glint_0.png")),
+                  next = read_png_with_alpha(path("glint_1.png"));
+  EXPECT_EQ(bytes_of(path("glint_0.png")), bytes_of(path("glint.png")));
+  EXPECT_NE(first.rgba, next.rgba);
+  std::size_t clear = 0, opaque = 0;
+  for (std::size_t i = 3; i < first.rgba.size(); i += 4) {
+    clear += first.rgba[i] == 0;
+    opaque += first.rgba[i] == 255;
+  }
+  EXPECT_GT(clear, 64u * 36u / 2u);
+  EXPECT_GT(opaque, 3u);
+}
+
 // Fails if the picture differs where OpenGL is older or has fewer extensions: mean difference below 1/255.
 TEST_F(ViewProgramTest, LooksTheSameOnOlderOpenGl) {
   const RgbImage expected = read_png(path("first.png"));
@@ -216,6 +245,10 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--render-scale", "0"}, "--render-scale: expected a number");
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
+  refused({scene(), "--highlights", "only", "-o", path("refused.png")}, "expected a scene with a [[mesh]]");
+  const std::string knot = OFFING_SCENES "/knot.toml";
+  refused({knot, "--highlights", "hidden"}, "--highlights: expected pictures in files");
+  refused({knot, "--highlights", "only", "--video", path("a.webm")}, "which has no alpha");
   refused({scene(), "--record", path("a_%d.png"), "--frames", "0:5", "-o", path("./a_3.png")},
           "--record: expected a different file from that of -o");
   refused({scene(), "--hedless"}, "did you mean --headless?");
