@@ -12,8 +12,9 @@ constexpr std::size_t least_frames = 3;
 // A finer quality level is tried only if it leaves this much of the time free, so that quality levels do not
 // take turns.
 constexpr double safety = 0.9;
-// As long as a view is much the same.
-constexpr double memory_s = 60.0;
+// A quality level that was too slow is tried again after so long; each time that it is again, after four
+// times as long.
+constexpr double least_memory_s = 6.0, longest_memory_s = 60.0;
 
 /// Relative to that of quality level 0, of a frame all of whose stages follow their shares half of the way:
 /// what does not, simulation and meshes, is the other half.
@@ -28,11 +29,13 @@ double typical_cost(const Quality& quality) {
 double QualityControl::expected_ms(std::size_t level, double usual_ms, double now_s) const {
   const double by_cost_ms = usual_ms * typical_cost(quality_levels.at(level)) / typical_cost(quality());
   const std::optional<Memory>& known = memory_.at(level);
-  return known && now_s - known->at_s < memory_s ? std::max(known->frame_ms, by_cost_ms) : by_cost_ms;
+  return known && now_s - known->at_s < known->kept_s ? std::max(known->frame_ms, by_cost_ms) : by_cost_ms;
 }
 
 void QualityControl::go_to(std::size_t level, double usual_ms, double now_s) {
-  memory_.at(level_) = Memory{usual_ms, now_s};
+  const std::optional<Memory>& before = memory_.at(level_);
+  const double kept_s = before ? std::min(4.0 * before->kept_s, longest_memory_s) : least_memory_s;
+  memory_.at(level_) = Memory{usual_ms, now_s, level > level_ ? kept_s : least_memory_s};
   level_ = level;
   since_s_.reset();
 }

@@ -11,8 +11,8 @@ namespace offing::present {
 
 /// Chooses the quality level of quality_levels whose frames take no longer than is asked for, from those that
 /// were drawn: coarser where they took too long, finer where a finer quality level's can be expected to fit.
-/// It stays on a quality level for two seconds at least, and comes back to one that did not fit after a
-/// minute at the earliest.
+/// It stays on a quality level for two seconds at least, and comes back to one that did not fit after six
+/// seconds at the earliest, after four times as long the next time, and so on up to a minute.
 class QualityControl {
  public:
   explicit QualityControl(std::size_t level = 0) : level_(level) {}
@@ -29,7 +29,7 @@ class QualityControl {
 
  private:
   struct Memory {
-    double frame_ms = 0.0, at_s = 0.0;
+    double frame_ms = 0.0, at_s = 0.0, kept_s = 0.0;
   };
 
   double expected_ms(std::size_t level, double usual_ms, double now_s) const;

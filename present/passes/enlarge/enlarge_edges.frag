@@ -1,7 +1,11 @@
-// Where edges run in a picture: squares of its gradient, by Sobel's differences, which filters may mix.
+// Where edges run in a picture: the direction of its gradient, by Sobel's differences, at twice its angle, so that
+// filters may mix opposite ones.
 uniform sampler2D picture;  // as a screen shows it
 
-out vec4 edge;  // xx, xy, yy
+out vec4 edge;  // red and green: as long as all gradients here point one way, 0 ... 1, from -1 ... 1
+
+// Brightness differences below this are noise rather than edges, as squares of Sobel's sums.
+const float faintest = 1.0e-3;
 
 float brightness(ivec2 pixel) {
   ivec2 last = textureSize(picture, 0) - 1;
@@ -19,5 +23,6 @@ void main() {
     above += weight * brightness(pixel + ivec2(i, 1));
   }
   vec2 gradient = vec2(right - left, above - below);
-  edge = vec4(gradient.x * gradient.x, gradient.x * gradient.y, gradient.y * gradient.y, 0.0);
+  vec2 turned = vec2(gradient.x * gradient.x - gradient.y * gradient.y, 2.0 * gradient.x * gradient.y);
+  edge = vec4(0.5 + 0.5 * turned / (dot(gradient, gradient) + faintest), 0.0, 1.0);
 }

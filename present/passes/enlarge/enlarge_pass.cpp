@@ -35,7 +35,7 @@ void EnlargePass::draw(const RenderTarget& picture, GLuint framebuffer, int widt
                                .enlarge = enlarge_program("enlarge/enlarge.frag")});
   }
   if (edges_.width() != picture.width() || edges_.height() != picture.height())
-    edges_ = RenderTarget(picture.width(), picture.height(), GL_RGBA16F, RenderTarget::Depth::none);
+    edges_ = RenderTarget(picture.width(), picture.height(), GL_RGBA8, RenderTarget::Depth::none);
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(no_vertices_.name());
   edges_.bind();

@@ -55,9 +55,19 @@ TEST(QualityControlTest, StaysWhereItIs) {
     QualityControl control;
     double now_s = 0.0;
     draw(control, now_s, 40.0, [&] { return frame_ms(control, pixels_ms, 8.0); });
-    // One that is remembered not to have fitted is tried again a minute later, which takes two moves.
+    // One that is remembered not to have fitted is tried again later, which takes two moves.
     EXPECT_LE(draw(control, now_s, 60.0, [&] { return frame_ms(control, pixels_ms, 8.0); }), 4) << pixels_ms;
   }
+}
+
+// Fails if a scene whose first seconds are slow, as when kernels are still built, stays coarse for long.
+TEST(QualityControlTest, ComesBackFromASlowStart) {
+  QualityControl control;
+  double now_s = 0.0;
+  draw(control, now_s, 8.0, [&] { return frame_ms(control, 120.0, 60.0); });
+  EXPECT_EQ(control.level(), quality_levels.size() - 1);
+  draw(control, now_s, 15.0, [&] { return frame_ms(control, 20.0, 5.0); });
+  EXPECT_EQ(control.level(), 0u);
 }
 
 // Fails if a single frame that stood still makes the picture coarse.
