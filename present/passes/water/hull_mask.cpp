@@ -54,8 +54,7 @@ bool is_drawn(const world::World& world, const world::BodySettings& settings) {
 void HullMask::prepare(const world::World& world, const Camera& camera, glsl::SurfaceUniforms& grid) {
   std::vector<std::shared_ptr<const bodies::HullMap>> maps;
   if (const world::WorldBodies* bodies = world.bodies()) {
-    for (std::size_t body = 0; body < std::min(bodies->size(), static_cast<std::size_t>(glsl::most_hulls));
-         ++body) {
+    for (std::size_t body = 0; body < bodies->size() && maps.size() < glsl::most_hulls; ++body) {
       if (!is_drawn(world, bodies->settings()[body])) continue;
       std::ranges::copy(planes_of(*bodies, body, world.time_s(), camera.eye_m),
                         grid.hull_planes + 3 * maps.size());

@@ -1,6 +1,7 @@
 // Water at floating hulls, as OpenGL draws it: none inside of them, and beside them where queries say.
 #include "present/passes/water/hull_mask.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -137,6 +138,26 @@ TEST_F(HullMaskTest, AHiddenBoatLeavesNoHole) {
   look_down(parameters, 1, 8.0, 2.0);
   if (!stage_) return;
   for (const Pixel& pixel : pixels()) EXPECT_GT(pixel.distance_m, 0.0);
+}
+
+// Fails if boats that are not drawn leave no room for one that is: water stands in it then.
+TEST_F(HullMaskTest, HiddenBoatsTakeNoPlace) {
+  world::WorldParameters parameters = world_of_a_boat();
+  const world::BodySettings boat = parameters.bodies[1];
+  parameters.bodies.resize(1);
+  world::MeshParameters hidden = parameters.meshes[1];
+  hidden.material.visible = world::MeshVisibility::off;
+  for (int i = 0; i < glsl::most_hulls; ++i) {
+    world::BodySettings& settings = parameters.bodies.emplace_back(boat);
+    settings.mesh = parameters.meshes.size();
+    settings.body.start.mass_centre_m.x += 1000.0 * (i + 1);
+    parameters.meshes.push_back(hidden);
+  }
+  parameters.bodies.push_back(boat);
+  look_down(parameters, parameters.bodies.size() - 1, 8.0, 0.0);
+  if (!stage_) return;
+  const auto has_water = [](const Pixel& pixel) { return pixel.distance_m > 0.0; };
+  EXPECT_LT(std::ranges::count_if(pixels(), has_water), side_px * side_px * 15 / 16);
 }
 
 // Fails if a ship's wake is drawn elsewhere than queries have it, right beside its hull, on cells of at most
