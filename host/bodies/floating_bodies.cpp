@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -261,6 +262,11 @@ void FloatingBodies::reset(double time_s) {
   reset_s_ = time_s_ = time_s;
   questions_ = 0;
   upload_waves();
+}
+
+void FloatingBodies::put(std::size_t body, const BodyPose& pose) {
+  const BodyState state = device_state(pose);
+  now_.write(std::span(&state, 1), body);
 }
 
 bool FloatingBodies::feels_waves() const {

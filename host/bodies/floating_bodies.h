@@ -72,6 +72,8 @@ class FloatingBodies {
 
   /// Puts all bodies to their starts at this time.
   void reset(double time_s);
+  /// Puts a body into this pose at stepped_to_s(). Forces that remember its velocities keep those it had.
+  void put(std::size_t body, const BodyPose& pose);
   /// Enqueues the sub-steps up to this time. Throws Error(bad_usage) for a time before the last reset or
   /// before the sub-steps that are kept: those of the last question.
   void advance_to(double time_s, const WaterSurface& water, const Drive& drive = {});

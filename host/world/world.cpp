@@ -102,10 +102,12 @@ void World::set_meshes(const std::vector<MeshParameters>& meshes) {
   move_meshes_with_bodies();
 }
 
-void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s) {
+void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
+                       const std::vector<std::optional<std::size_t>>& before) {
   std::unique_ptr<WorldBodies> made;
   if (ocean_ && !bodies.empty()) {
-    made = std::make_unique<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_);
+    const BodiesBefore going_on{before.empty() ? nullptr : bodies_.get(), before};
+    made = std::make_unique<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_, going_on);
   }
   const bool has_other_wakes = made || bodies_;
   bodies_ = std::move(made);

@@ -157,9 +157,11 @@ class World {
   void set_clouds(const std::optional<CloudSkyParameters>& clouds);
   /// Puts other meshes in their place, made anew. Throws what WorldMesh throws.
   void set_meshes(const std::vector<MeshParameters>& meshes);
-  /// Puts other bodies on the water, at their start at the time of the last at(). Throws what WorldBodies
-  /// throws.
-  void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s);
+  /// Puts other bodies on the water, at their start at the time of the last at(); `before` has for each the
+  /// number of the body so far that it is, which goes on from where it is then, or none. Empty: none does.
+  /// Throws what WorldBodies throws.
+  void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
+                  const std::vector<std::optional<std::size_t>>& before = {});
   /// The same bodies where they are now, whose meshes have other numbers.
   void renumber_body_meshes(const std::vector<BodySettings>& bodies);
   /// Throws Error(bad_usage) for more than most_lights.

@@ -161,7 +161,7 @@ BodyReport BodyPath::report(std::size_t body, double time_s) const {
 }
 
 WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> settings, const BodySea& sea,
-                         double run_up_s, double start_s)
+                         double run_up_s, double start_s, const BodiesBefore& before)
     : device_(device),
       settings_(std::move(settings)),
       run_up_s_(whole_questions_s(run_up_s)),
@@ -176,6 +176,10 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
   set_shoals(sea.shoals);
   tell_waves();
   draught_m_ = total_draught_m();
+  if (before.bodies != nullptr) {
+    path_before_ = before.bodies->path_;
+    numbers_before_ = before.numbers;
+  }
   reset(start_s);
 }
 
@@ -224,7 +228,24 @@ void WorldBodies::reset(double start_s) {
   bodies_.reset(start_s - run_up_s_);
   std::vector<bodies::BodyPose> starts;
   for (const BodySettings& each : settings_) starts.push_back(each.body.start);
+  for (std::size_t body = 0; path_before_ && body < size(); ++body) {
+    if (numbers_before_[body]) starts[body] = path_before_->at(*numbers_before_[body], start_s - run_up_s_);
+  }
   path_->begin(start_s - run_up_s_, question_s, starts);
+  follow_paths_before();
+}
+
+/// In the run-up, whose wakes are then those that these bodies have.
+void WorldBodies::follow_paths_before() {
+  if (!path_before_) return;
+  const double now_s = bodies_.stepped_to_s();
+  if (now_s > start_s_ + 0.5 * question_s) {
+    path_before_.reset();
+    return;
+  }
+  for (std::size_t body = 0; body < size(); ++body) {
+    if (numbers_before_[body]) bodies_.put(body, path_before_->at(*numbers_before_[body], now_s));
+  }
 }
 
 void WorldBodies::ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
@@ -235,7 +256,10 @@ void WorldBodies::ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& p
 
 void WorldBodies::reach(double time_s) {
   // A start that an edit has put later is not that of times before it.
-  if (time_s < start_s_ && start_s_ > 0.0) reset(0.0);
+  if (time_s < start_s_ && start_s_ > 0.0) {
+    path_before_.reset();
+    reset(0.0);
+  }
   if (time_s - path_->end_s() > longest_leap_s) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("time: expected within {:g} s of the bodies' {:g} s, found {:g} s",
@@ -256,6 +280,7 @@ void WorldBodies::reach(double time_s) {
                         "choose an earlier time, a smaller ocean.size, or fewer bodies");
   while (path_->end_s() < time_s + ahead_s) {
     bodies_.advance_to(bodies_.stepped_to_s() + question_s, water, drive);
+    follow_paths_before();
     path_->add(bodies_.latest(), keeps_forces_ ? &bodies_.reports() : nullptr);
     estimate.step_done([this] { device_.finish(); });
   }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -79,6 +80,14 @@ struct BodySea {
   std::shared_ptr<const ocean::Shoals> shoals = {};
 };
 
+class WorldBodies;
+
+/// Bodies of an earlier simulation that go on in another one.
+struct BodiesBefore {
+  const WorldBodies* bodies = nullptr;              ///< none: all begin anew
+  std::vector<std::optional<std::size_t>> numbers;  ///< of each new body its number there; none: begins anew
+};
+
 /// The floating bodies of a world. They are simulated from a start on, and before that for a run-up in which
 /// they come to lie in the water as they do; a world that is shown at a later time goes all the way there.
 /// What is enqueued goes a little beyond the time that is asked for, so that poses have come when they are
@@ -86,9 +95,10 @@ struct BodySea {
 /// at the times of their own sub-steps; not the wakes, which are their own for the most part.
 class WorldBodies {
  public:
-  /// Throws what FloatingBodies and Ocean throw.
+  /// Bodies that were there before, with the same hull and load, move up to the start as they did then, and
+  /// go on from there. Throws what FloatingBodies and Ocean throw.
   WorldBodies(const ocl::Device& device, std::vector<BodySettings> settings, const BodySea& sea,
-              double run_up_s, double start_s);
+              double run_up_s, double start_s, const BodiesBefore& before = {});
 
   /// Another sea from the time on that has been simulated.
   void set_sea(const BodySea& sea);
@@ -135,6 +145,7 @@ class WorldBodies {
 
  private:
   void reset(double start_s);
+  void follow_paths_before();
   double total_draught_m() const;
   double settled_share(double time_s) const;
   void tell_waves();
@@ -152,6 +163,8 @@ class WorldBodies {
   std::shared_ptr<const ocean::Shoals> shoals_;
   ocean::WaterQuery query_;
   std::shared_ptr<BodyPath> path_;
+  std::shared_ptr<const BodyPath> path_before_;             // of bodies that were there before the start
+  std::vector<std::optional<std::size_t>> numbers_before_;  // in that path, [size()]
 };
 
 }  // namespace offing::world

@@ -112,9 +112,51 @@ TEST(WorldScene, OtherMeshesLeaveBoatsAlone) {
   edit_world(world, after, before);
   EXPECT_EQ(world.bodies()->start_s(), 0.0);
   EXPECT_EQ(places_m(1), expected);
-  // Another mesh aboard is another boat.
+  // One more aboard goes with it.
   edit_world(world, before, scene_of(sea + loose + boat + "[[mesh]]\nshape = \"box\"\naboard = \"boat\"\n"));
-  EXPECT_EQ(world.bodies()->start_s(), 2.0);
+  EXPECT_EQ(world.bodies()->start_s(), 0.0);
+  EXPECT_EQ(world.bodies()->settings()[0].aboard, (std::vector<std::size_t>{2, 3}));
+}
+
+// Fails if an edit sends a boat back to its start that only changes another boat or its own drive, or if a
+// boat with another start, hull or load stays where it was.
+TEST(WorldScene, BoatsBeginAnewOnlyWhereTheyMust) {
+  const auto boat = [](const std::string& name, const std::string& more, const std::string& size_m = "24") {
+    return "[[mesh]]\nname = \"" + name + "\"\nshape = \"ship\"\nsize_m = " + size_m +
+           "\n[[body]]\nname = \"" + name + " boat\"\nmesh = \"" + name + "\"\nspeed_mps = 3\n" + more;
+  };
+  const std::string sea = "[ocean]\nsize = 32\ncascade_count = 1\n", first = "draught_m = 1.5\n",
+                    second = "draught_m = 1.5\nz_m = 90\n";
+  const Scene before = scene_of(sea + boat("a", first) + boat("b", second));
+  const ocl::Device device = ocl::Device::open();
+  // How far east both are, after an edit and before it.
+  const auto far_after = [&](const std::string& text, std::size_t number) {
+    world::World world(device, prepare_world(before));
+    world.at(4.0, 10.0);
+    const double there_m = world.bodies()->pose(1, 4.0).mass_centre_m.x;
+    edit_world(world, before, scene_of(sea + text));
+    world.at(4.0, 10.0);
+    return std::pair(world.bodies()->pose(number, 4.0).mass_centre_m.x, there_m);
+  };
+  for (const std::string& text :
+       {boat("a", "draught_m = 1.2\n") + boat("b", second), boat("a", first, "30") + boat("b", second),
+        boat("c", first) + boat("b", second + "thrust_n = 3e3\nrudder_deg = 5\nwindage = 0\n"),
+        boat("a", first) + boat("b", second + "[[body.mooring]]\nanchor_m = [0, -9, 0]\n"),
+        boat("a", first) + boat("b", second) +
+            "[[ocean.wake]]\ncentre = \"body\"\nbody = \"a boat\"\ncells = "
+            "32\nhistory_s = 12\n"}) {
+    const auto [now_m, there_m] = far_after(text, 1);
+    EXPECT_NEAR(now_m, there_m, 1e-3) << text;
+    EXPECT_GT(there_m, 9.0);
+  }
+  const auto [alone_m, there_m] = far_after(boat("b", second), 0);
+  EXPECT_NEAR(alone_m, there_m, 1e-3);
+  for (const std::string& text :
+       {boat("a", first) + boat("b", first + "z_m = 95\n"), boat("a", first) + boat("b", second, "30"),
+        boat("a", first) + boat("b", "draught_m = 1.2\nz_m = 90\n"),
+        boat("a", first) + boat("b", second + "heading_deg = 5\n")}) {
+    EXPECT_NEAR(far_after(text, 1).first, 0.0, 0.5) << text;
+  }
 }
 
 // Fails if a scene that cannot be made leaves half of it behind.

@@ -1,9 +1,11 @@
 #include "host/scene/prepare/scene_bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -179,37 +181,68 @@ world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size
   return settings;
 }
 
-/// Meshes that move with bodies: their hulls, in the order of the bodies, and what is aboard.
-std::vector<std::size_t> moved_meshes(const Scene& scene) {
-  std::vector<std::size_t> meshes;
-  for (std::size_t body = 0; body < scene.bodies.size(); ++body) meshes.push_back(mesh_of_body(scene, body));
-  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
-    if (!scene.meshes[mesh].aboard.empty()) meshes.push_back(mesh);
-  }
-  return meshes;
+std::optional<KeyframeTrack> track_of(const Scene& scene, const ValueKey& key) {
+  const auto track = scene.tracks.find(key);
+  return track == scene.tracks.end() ? std::nullopt : std::optional(track->second);
 }
 
-/// Whether two meshes have another form or stand elsewhere.
-bool is_other_mesh(const Scene& before, std::size_t mesh_before, const Scene& after, std::size_t mesh_after) {
-  const auto track_of = [](const Scene& scene, const Parameter& row, std::size_t mesh) {
-    const auto track = scene.tracks.find({row.key, {mesh, 0}});
-    return track == scene.tracks.end() ? std::nullopt : std::optional(track->second);
-  };
-  return std::ranges::any_of(parameter_table(), [&](const Parameter& row) {
-    if (row.group != ParameterGroup::mesh || !share_a_bit(row.affects, Affects::meshes)) return false;
-    return !is_same_value(row, struct_at(&before, *row.section, {mesh_before, 0}),
-                          struct_at(&after, *row.section, {mesh_after, 0})) ||
-           track_of(before, row, mesh_before) != track_of(after, row, mesh_after);
+/// Whether a value of an element, keyframes included, is that of an element of another scene.
+bool is_same_row(const Parameter& row, const Scene& before, std::size_t index_before, const Scene& after,
+                 std::size_t index_after) {
+  const ElementIndex element_before{index_before, 0}, element_after{index_after, 0};
+  return is_same_value(row, struct_at(&before, *row.section, element_before),
+                       struct_at(&after, *row.section, element_after)) &&
+         track_of(before, {row.key, element_before}) == track_of(after, {row.key, element_after});
+}
+
+/// Whether two meshes have the same form and stand at the same place.
+bool is_same_mesh(const Scene& before, std::size_t mesh_before, const Scene& after, std::size_t mesh_after) {
+  return std::ranges::all_of(parameter_table(), [&](const Parameter& row) {
+    if (row.group != ParameterGroup::mesh || !share_a_bit(row.affects, Affects::meshes)) return true;
+    return is_same_row(row, before, mesh_before, after, mesh_after);
   });
 }
 
-/// Meshes that move with no body do not count, nor the numbers of those that do.
-bool are_other_bodies(const Scene& before, const Scene& after) {
-  if (differ_in(Affects::bodies, before, after)) return true;
-  return !std::ranges::equal(moved_meshes(before), moved_meshes(after),
-                             [&](std::size_t mesh_before, std::size_t mesh_after) {
-                               return !is_other_mesh(before, mesh_before, after, mesh_after);
-                             });
+/// Whether a body can go on as another one from where that one is. Start, hull and load must be the same: its
+/// place is that of the centre of mass in the axes of the hull, and whoever edits the start wants to see it.
+/// What only changes the forces on it acts from then on.
+bool goes_on_as(const Scene& before, std::size_t body_before, const Scene& after, std::size_t body_after) {
+  constexpr std::array<std::string_view, 9> names_and_forces{
+      "body.name",       "body.mesh",          "body.thrust_n",
+      "body.rudder_deg", "body.propeller_m",   "body.rudder_m2",
+      "body.windage",    "body.hydrodynamics", "body.hydrodynamics_length_m"};
+  const bool is_same = std::ranges::all_of(parameter_table(), [&](const Parameter& row) {
+    if (row.group != ParameterGroup::body ||
+        std::ranges::find(names_and_forces, row.key) != names_and_forces.end())
+      return true;
+    return is_same_row(row, before, body_before, after, body_after);
+  });
+  return is_same &&
+         is_same_mesh(before, mesh_of_body(before, body_before), after, mesh_of_body(after, body_after));
+}
+
+/// For each body of a scene which one of the scene before it is; none: it begins anew.
+std::vector<std::optional<std::size_t>> bodies_before(const Scene& before, const Scene& after) {
+  std::vector<std::optional<std::size_t>> found(after.bodies.size());
+  std::vector<bool> is_taken(before.bodies.size(), false);
+  for (std::size_t body = 0; body < found.size(); ++body) {
+    for (std::size_t each = 0; each < is_taken.size() && !found[body]; ++each) {
+      if (is_taken[each] || !goes_on_as(before, each, after, body)) continue;
+      found[body] = each;
+      is_taken[each] = true;
+    }
+  }
+  return found;
+}
+
+/// Whether bodies of the same numbers move alike. Meshes that move with no body do not count, nor those
+/// aboard, nor the numbers of hulls.
+bool are_same_bodies(const Scene& before, const Scene& after) {
+  if (differ_in(Affects::bodies, before, after)) return false;
+  for (std::size_t body = 0; body < after.bodies.size(); ++body) {
+    if (!is_same_mesh(before, mesh_of_body(before, body), after, mesh_of_body(after, body))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -275,20 +308,24 @@ std::size_t followed_body(const Scene& scene, std::size_t wake) {
 }
 
 void edit_bodies(world::World& world, const Scene& before, const Scene& after) {
-  const bool is_same = !are_other_bodies(before, after) && run_up_s(before) == run_up_s(after) &&
-                       before.has_sea() == after.has_sea();
-  if (is_same) {
-    if (moved_meshes(before) == moved_meshes(after)) return;
-    std::vector<world::BodySettings> bodies = world.parameters().bodies;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      bodies[i].mesh = mesh_of_body(after, i);
-      bodies[i].aboard.clear();
-    }
-    board(after, bodies);
-    world.renumber_body_meshes(bodies);
+  const bool is_same = before.has_sea() == after.has_sea() && run_up_s(before) == run_up_s(after) &&
+                       are_same_bodies(before, after);
+  if (!is_same) {
+    world.set_bodies(prepare_bodies(after, world.parameters().meshes), run_up_s(after),
+                     bodies_before(before, after));
     return;
   }
-  world.set_bodies(prepare_bodies(after, world.parameters().meshes), run_up_s(after));
+  const std::vector<world::BodySettings>& known = world.parameters().bodies;
+  std::vector<world::BodySettings> bodies = known;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].mesh = mesh_of_body(after, i);
+    bodies[i].aboard.clear();
+  }
+  board(after, bodies);
+  const auto has_same_meshes = [](const world::BodySettings& a, const world::BodySettings& b) {
+    return a.mesh == b.mesh && a.aboard == b.aboard;
+  };
+  if (!std::ranges::equal(bodies, known, has_same_meshes)) world.renumber_body_meshes(bodies);
 }
 
 }  // namespace offing::scene

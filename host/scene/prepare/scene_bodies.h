@@ -23,9 +23,9 @@ double run_up_s(const Scene& scene);
 /// Which body a wake follows. Throws Error(bad_input) for a name that no body has, or a scene without bodies.
 std::size_t followed_body(const Scene& scene, std::size_t wake);
 
-/// Puts the bodies of a scene that has changed on the water of a world that has its meshes, at their start
-/// now; leaves them where they are if nothing of them has changed. Throws what prepare_bodies() throws, and
-/// has changed nothing then.
+/// Puts the bodies of a scene that has changed on the water of a world that has its meshes. Those with
+/// another start, hull or load begin anew now; all others go on from where they are. Throws what
+/// prepare_bodies() throws, and has changed nothing then.
 void edit_bodies(world::World& world, const Scene& before, const Scene& after);
 
 }  // namespace offing::scene

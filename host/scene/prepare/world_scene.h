@@ -22,8 +22,9 @@ ViewScene show_at(world::World& world, const Scene& scene, double time_s);
 
 /// Makes the world that `before` was prepared for that of `after`, with the view of its start: as a fresh
 /// start with it would, but only what the two differ in is made anew. Swells and raindrops cost nothing, the
-/// seed draws the same spectrum again, all else of the sea makes it anew. Bodies that have changed begin anew
-/// at the time that is shown; others go on, on the water that has changed, from where they are. Logs no
+/// seed draws the same spectrum again, all else of the sea makes it anew. Bodies with another start, hull or
+/// load begin anew at the time that is shown; others go on, on the water that has changed, from where they
+/// are. Wakes are computed again over their histories. Logs no
 /// warnings. Throws what
 /// prepare_sea() and view_at() throw, and has changed nothing then; where the device cannot make a part of
 /// it, parts may have changed.
