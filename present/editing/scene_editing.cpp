@@ -48,18 +48,18 @@ bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& e
   return clouds_.holds() || highlights_.holds() || objects_.holds();
 }
 
-void SceneEditing::work(const std::function<Edit()>& deed) {
+void SceneEditing::work(const std::function<Edit()>& change) {
   try {
-    apply(deed());
+    apply(change());
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }
 }
 
-void SceneEditing::make(const std::function<std::string(scene::Scene&)>& deed) {
+void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change) {
   work([&] {
     scene::Scene edited = state_.scene;
-    std::string news = deed(edited);
+    std::string news = change(edited);
     state_.scene = std::move(edited);
     finish(Edit::done);
     if (state_.message.is_fault) return Edit::none;
@@ -200,7 +200,7 @@ void SceneEditing::remove_picked() {
 
 void SceneEditing::duplicate_picked(const Screen& screen) {
   const SceneObject cloud{ObjectKind::cloud, 0};  // tells what there is to say where nothing is selected
-  do_to_object({.kind = ObjectDeed::Kind::duplicate, .object = selected_object(state_).value_or(cloud)},
+  do_to_object({.kind = ObjectEdit::Kind::duplicate, .object = selected_object(state_).value_or(cloud)},
                screen);
 }
 
@@ -213,26 +213,26 @@ void SceneEditing::remove(const SceneObject& object) {
   if (!state_.message.is_fault) deselect_objects(state_);
 }
 
-void SceneEditing::do_to_object(const ObjectDeed& deed, const Screen& screen) {
-  if (deed.kind == ObjectDeed::Kind::duplicate && deed.object.kind == ObjectKind::cloud)
+void SceneEditing::do_to_object(const ObjectEdit& edit, const Screen& screen) {
+  if (edit.kind == ObjectEdit::Kind::duplicate && edit.object.kind == ObjectKind::cloud)
     return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
-  if (deed.kind == ObjectDeed::Kind::remove) return remove(deed.object);
+  if (edit.kind == ObjectEdit::Kind::remove) return remove(edit.object);
   std::optional<SceneObject> selected;
   make([&](scene::Scene& scene) {
     std::string news;
-    switch (deed.kind) {
-      case ObjectDeed::Kind::add: {
-        const AddedObject added = add_object(scene, deed.added, new_place(sea_, screen));
+    switch (edit.kind) {
+      case ObjectEdit::Kind::add: {
+        const AddedObject added = add_object(scene, edit.added, new_place(sea_, screen));
         selected = added.object;
         news = added.news;
         break;
       }
-      case ObjectDeed::Kind::duplicate:
-        selected = duplicate_object(scene, deed.object, way_beside(sea_, deed.object, screen));
+      case ObjectEdit::Kind::duplicate:
+        selected = duplicate_object(scene, edit.object, way_beside(sea_, edit.object, screen));
         news = fmt::format("added {}", label_of(scene, *selected));
         break;
       default:
-        rename_object(scene, deed.object, deed.name);
+        rename_object(scene, edit.object, edit.name);
     }
     return news;
   });

@@ -8,7 +8,7 @@
 
 #include "present/editing/cloud_editor.h"
 #include "present/editing/highlight_editor.h"
-#include "present/editing/objects/object_deed.h"
+#include "present/editing/objects/object_edit.h"
 #include "present/editing/objects/object_editor.h"
 #include "present/editing/scene_history.h"
 #include "present/panels/panels.h"
@@ -32,8 +32,8 @@ class SceneEditing {
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Shows clouds that have been made since the last frame.
   void take_clouds();
-  /// An edit that `deed` makes of a scene and says something of, which the message then tells, or its fault.
-  void make(const std::function<std::string(scene::Scene&)>& deed);
+  /// An edit that `change` makes of a scene and says something of, which the message then shows, or its fault.
+  void make(const std::function<std::string(scene::Scene&)>& change);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
   /// Counts edits that are done, taken back or redone.
@@ -54,7 +54,7 @@ class SceneEditing {
   void remove_picked();
   void duplicate_picked(const Screen& screen);
   /// Adds, copies, deletes or renames an object. What is new is selected.
-  void do_to_object(const ObjectDeed& deed, const Screen& screen);
+  void do_to_object(const ObjectEdit& edit, const Screen& screen);
 
   /// Draws handles behind the panels.
   void draw(const Screen& screen, glm::dvec2 pointer);
@@ -68,7 +68,7 @@ class SceneEditing {
   /// That of an edit before or after. Nothing stays selected whose list gets longer or shorter: its number
   /// may be another one's.
   void take_other_edit(scene::Scene scene);
-  void work(const std::function<Edit()>& deed);
+  void work(const std::function<Edit()>& change);
   /// Nothing is selected then: the next of its list would have its number.
   void remove(const SceneObject& object);
 

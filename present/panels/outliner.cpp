@@ -87,18 +87,18 @@ void draw_buttons(ViewState& state, PanelEdits& edits) {
   if (ImGui::Button("add##objects")) ImGui::OpenPopup("new object");
   if (ImGui::BeginPopup("new object")) {
     if (const std::optional<NewObject> chosen = draw_menu(state.scene))
-      edits.object = ObjectDeed{.kind = ObjectDeed::Kind::add, .added = *chosen};
+      edits.object = ObjectEdit{.kind = ObjectEdit::Kind::add, .added = *chosen};
     ImGui::EndPopup();
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected || !can_be_duplicated(*selected));
   if (ImGui::Button("duplicate##objects"))
-    edits.object = ObjectDeed{.kind = ObjectDeed::Kind::duplicate, .object = *selected};
+    edits.object = ObjectEdit{.kind = ObjectEdit::Kind::duplicate, .object = *selected};
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected || !can_be_removed(state.scene, *selected));
   if (ImGui::Button("delete##objects"))
-    edits.object = ObjectDeed{.kind = ObjectDeed::Kind::remove, .object = *selected};
+    edits.object = ObjectEdit{.kind = ObjectEdit::Kind::remove, .object = *selected};
   ImGui::EndDisabled();
 }
 
@@ -113,7 +113,7 @@ void draw_name_field(ViewState& state, PanelEdits& edits) {
   renaming.is_new = false;
   if (is_entered) {
     edits.object =
-        ObjectDeed{.kind = ObjectDeed::Kind::rename, .object = renaming.object, .name = renaming.text};
+        ObjectEdit{.kind = ObjectEdit::Kind::rename, .object = renaming.object, .name = renaming.text};
   }
   if (is_entered || is_left) state.renaming.reset();
 }

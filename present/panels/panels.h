@@ -13,7 +13,7 @@
 #include "host/scene/schema/parameter.h"
 #include "present/editing/cloud_editing.h"
 #include "present/editing/mesh_picker.h"
-#include "present/editing/objects/object_deed.h"
+#include "present/editing/objects/object_edit.h"
 #include "present/editing/terrain_pick.h"
 #include "present/files/file_browser.h"
 #include "present/gl/gl_context.h"
@@ -106,7 +106,7 @@ struct PanelEdits {
   std::optional<ViewAction> action = {};         ///< of a key, by a button
   std::optional<FileFilter> wanted_file = {};    ///< to be chosen in a dialog
   bool wants_original = false;                   ///< the scene as it was when the window opened
-  std::optional<ObjectDeed> object = {};         ///< for objects of the scene
+  std::optional<ObjectEdit> object = {};         ///< for objects of the scene
   std::optional<ListedScene> wanted_scene = {};  ///< to be opened
   std::optional<glm::dvec2> wanted_place = {};   ///< of the camera, east and south: a click on the map
 };

@@ -5,7 +5,7 @@
 
 #include "host/scene/model/scene.h"
 #include "present/editing/handle_geometry.h"
-#include "present/editing/objects/object_deed.h"
+#include "present/editing/objects/object_edit.h"
 #include "present/passes/live_sea.h"
 
 namespace offing::present {

@@ -17,7 +17,7 @@ struct NewObject {
 };
 
 /// What a user asks for of the objects of a scene.
-struct ObjectDeed {
+struct ObjectEdit {
   enum class Kind { add, duplicate, remove, rename };
   Kind kind = Kind::add;
   SceneObject object = {};  ///< of all but add
