@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "present/editing/cloud_overlay.h"
-#include "present/editing/objects/new_objects.h"
 #include "present/editing/objects/selection.h"
 #include "present/output/camera_path.h"
 
@@ -199,9 +198,23 @@ void SceneEditing::remove_picked() {
 }
 
 void SceneEditing::duplicate_picked(const Screen& screen) {
-  const SceneObject cloud{ObjectKind::cloud, 0};  // tells what there is to say where nothing is selected
-  do_to_object({.kind = ObjectEdit::Kind::duplicate, .object = selected_object(state_).value_or(cloud)},
-               screen);
+  const std::optional<SceneObject> object = selected_object(state_);
+  // The editor of clouds says what there is to say where nothing is selected.
+  if (!object || object->kind == ObjectKind::cloud)
+    return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
+  add([&](scene::Scene& scene) {
+    const SceneObject copy = duplicate_object(scene, *object, way_beside(sea_, *object, screen));
+    return AddedObject{copy, fmt::format("added {}", label_of(scene, copy))};
+  });
+}
+
+void SceneEditing::add(const std::function<AddedObject(scene::Scene&)>& change) {
+  AddedObject added;
+  make([&](scene::Scene& scene) {
+    added = change(scene);
+    return added.news;
+  });
+  if (!state_.message.is_fault) select_object(state_, added.object);
 }
 
 void SceneEditing::remove(const SceneObject& object) {
@@ -214,30 +227,12 @@ void SceneEditing::remove(const SceneObject& object) {
 }
 
 void SceneEditing::do_to_object(const ObjectEdit& edit, const Screen& screen) {
-  if (edit.kind == ObjectEdit::Kind::duplicate && edit.object.kind == ObjectKind::cloud)
-    return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
-  if (edit.kind == ObjectEdit::Kind::remove) return remove(edit.object);
-  std::optional<SceneObject> selected;
+  if (edit.kind == ObjectEdit::Kind::add)
+    return add([&](scene::Scene& scene) { return add_object(scene, edit.added, new_place(sea_, screen)); });
   make([&](scene::Scene& scene) {
-    std::string news;
-    switch (edit.kind) {
-      case ObjectEdit::Kind::add: {
-        const AddedObject added = add_object(scene, edit.added, new_place(sea_, screen));
-        selected = added.object;
-        news = added.news;
-        break;
-      }
-      case ObjectEdit::Kind::duplicate:
-        selected = duplicate_object(scene, edit.object, way_beside(sea_, edit.object, screen));
-        news = fmt::format("added {}", label_of(scene, *selected));
-        break;
-      default:
-        rename_object(scene, edit.object, edit.name);
-    }
-    return news;
+    rename_object(scene, edit.object, edit.name);
+    return std::string();
   });
-  if (state_.message.is_fault) return;
-  if (selected) select_object(state_, *selected);
 }
 
 void SceneEditing::draw(const Screen& screen, glm::dvec2 pointer) {

@@ -8,6 +8,7 @@
 
 #include "present/editing/cloud_editor.h"
 #include "present/editing/highlight_editor.h"
+#include "present/editing/objects/new_objects.h"
 #include "present/editing/objects/object_edit.h"
 #include "present/editing/objects/object_editor.h"
 #include "present/editing/scene_history.h"
@@ -53,7 +54,7 @@ class SceneEditing {
   /// the screen shows it.
   void remove_picked();
   void duplicate_picked(const Screen& screen);
-  /// Adds, copies, deletes or renames an object. What is new is selected.
+  /// Adds or renames an object. What is new is selected.
   void do_to_object(const ObjectEdit& edit, const Screen& screen);
 
   /// Draws handles behind the panels.
@@ -69,6 +70,8 @@ class SceneEditing {
   /// may be another one's.
   void take_other_edit(scene::Scene scene);
   void work(const std::function<Edit()>& change);
+  /// Adds what `change` adds to a scene, and selects it.
+  void add(const std::function<AddedObject(scene::Scene&)>& change);
   /// Nothing is selected then: the next of its list would have its number.
   void remove(const SceneObject& object);
 

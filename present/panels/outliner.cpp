@@ -82,6 +82,7 @@ std::optional<NewObject> draw_menu(const scene::Scene& scene) {
   return chosen;
 }
 
+/// The last two do what their keys do: also where a part of the object is picked.
 void draw_buttons(ViewState& state, PanelEdits& edits) {
   const std::optional<SceneObject> selected = selected_object(state);
   if (ImGui::Button("add##objects")) ImGui::OpenPopup("new object");
@@ -92,13 +93,11 @@ void draw_buttons(ViewState& state, PanelEdits& edits) {
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected || !can_be_duplicated(*selected));
-  if (ImGui::Button("duplicate##objects"))
-    edits.object = ObjectEdit{.kind = ObjectEdit::Kind::duplicate, .object = *selected};
+  if (ImGui::Button("duplicate##objects")) edits.action = ViewAction::duplicate_picked;
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected || !can_be_removed(state.scene, *selected));
-  if (ImGui::Button("delete##objects"))
-    edits.object = ObjectEdit{.kind = ObjectEdit::Kind::remove, .object = *selected};
+  if (ImGui::Button("delete##objects")) edits.action = ViewAction::remove_picked;
   ImGui::EndDisabled();
 }
 

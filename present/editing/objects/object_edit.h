@@ -16,11 +16,11 @@ struct NewObject {
   clouds::Genus genus = clouds::Genus::cumulus;  ///< of a cloud or a layer
 };
 
-/// What a user asks for of the objects of a scene.
+/// What a user asks for of the objects of a scene, beside what keys do.
 struct ObjectEdit {
-  enum class Kind { add, duplicate, remove, rename };
+  enum class Kind { add, rename };
   Kind kind = Kind::add;
-  SceneObject object = {};  ///< of all but add
+  SceneObject object = {};  ///< of rename
   NewObject added = {};
   std::string name = {};  ///< of rename
 };

@@ -129,6 +129,18 @@ TEST_F(WindowHighlightsTest, ClicksPick) {
   EXPECT_FALSE(state().picked);
 }
 
+// Fails if the button deletes the mesh of the highlight that is picked, where the key Delete does not.
+TEST_F(WindowHighlightsTest, TheDeleteButtonLeavesTheMesh) {
+  open_egg();
+  pick(id_of(0));
+  press("Tab");
+  resize({1000, 300});
+  click(find(main_panel(), "delete##objects", 150));
+  EXPECT_EQ(state().scene.meshes.size(), 1u);
+  EXPECT_EQ(message().substr(0, 30), "a highlight cannot be deleted\n");
+  EXPECT_TRUE(state().picked);
+}
+
 // The mouse drags a highlight to where it is let go, within three pixels. Fails if it goes elsewhere, if
 // others go along, or if the camera turns with it.
 TEST_F(WindowHighlightsTest, DragsMoveOneHighlight) {
