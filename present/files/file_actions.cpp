@@ -1,12 +1,27 @@
 #include "present/files/file_actions.h"
 
+#include <algorithm>
+#include <array>
 #include <system_error>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
+#include "present/panels/parameter_widget.h"
+#include "present/window/dropped_files.h"
 
 namespace offing::present {
+
+namespace {
+
+bool names_folder(std::string_view key) {
+  return key.ends_with("_billboards");
+}
+
+}  // namespace
 
 bool FileActions::act(ViewAction action) {
   switch (action) {
@@ -30,6 +45,36 @@ bool FileActions::act(ViewAction action) {
 void FileActions::open(FileFilter filter) {
   dialog_.open(
       {.filter = filter, .folder = options_.scene_file.parent_path(), .name = {}, .recent = recent_.all()});
+}
+
+void FileActions::browse(const scene::ValueKey& value) {
+  const scene::Parameter& row = *scene::find_parameter(value.key);
+  const std::filesystem::path now = std::get<scene::ValueAt<std::string>>(row.storage)
+                                        .in(scene::struct_at(&state_.scene, *row.section, value.element));
+  const bool is_folder = names_folder(value.key);
+  const std::filesystem::path folder = now.empty() ? options_.scene_file.parent_path()
+                                       : is_folder ? now
+                                                   : now.parent_path();
+  dialog_.open({.purpose = is_folder ? FilePurpose::folder_value : FilePurpose::value,
+                .filter = filter_of_row(value.key),
+                .folder = folder,
+                .name = {},
+                .recent = recent_.all()});
+  browsed_ = value;
+}
+
+void FileActions::take_value(const std::filesystem::path& file) {
+  const scene::Parameter& row = *scene::find_parameter(browsed_->key);
+  editing_.make([&](scene::Scene& scene) {
+    // What the map or the record before needed says nothing about this one.
+    if (row.key == "terrain.file") return add_dropped(scene, file, DroppedKind::height_map, {});
+    if (row.key == "ocean.spectrum_file") return add_dropped(scene, file, DroppedKind::spectrum, {});
+    const std::string name = file.string();
+    scene::store(scene, row, {.value = name, .shown = one_line(name)}, {.subject = std::string(row.key)},
+                 browsed_->element);
+    return fmt::format("{}: {}", words_of(row), one_line(file.filename().string()));
+  });
+  if (!state_.message.is_fault && !names_folder(row.key)) recent_.add(file);
 }
 
 void FileActions::save() {
@@ -61,8 +106,37 @@ void FileActions::write(const std::function<std::filesystem::path()>& work) {
 void FileActions::draw() {
   const std::optional<ChosenFile> chosen = dialog_.draw();
   if (!chosen) return;
-  if (chosen->purpose == FilePurpose::open) return intake_.open_file(chosen->file);
+  switch (chosen->purpose) {
+    case FilePurpose::open:
+      return intake_.open_file(chosen->file);
+    case FilePurpose::value:
+    case FilePurpose::folder_value:
+      return take_value(chosen->file);
+    case FilePurpose::save_scene:
+      break;
+  }
   write([&] { return scenes_.save_as(chosen->file, chosen->existing); });
+}
+
+FileFilter filter_of_row(std::string_view key) {
+  struct Kind {
+    std::string_view key;
+    FileFilter filter;
+  };
+  static constexpr auto kinds = std::to_array<Kind>({{"mesh.file", FileFilter::meshes},
+                                                     {"mesh.cartoon_ramp", FileFilter::pictures},
+                                                     {"mesh.highlight.picture", FileFilter::pictures},
+                                                     {"cloud.file", FileFilter::clouds},
+                                                     {"cloud.mesh", FileFilter::meshes},
+                                                     {"clouds.crisp_billboards", FileFilter::pictures},
+                                                     {"clouds.soft_billboards", FileFilter::pictures},
+                                                     {"terrain.file", FileFilter::height_maps},
+                                                     {"terrain.colour", FileFilter::aerial_pictures},
+                                                     {"ocean.spectrum_file", FileFilter::spectra},
+                                                     {"ocean.modes_file", FileFilter::single_waves},
+                                                     {"body.hydrodynamics", FileFilter::hydrodynamics}});
+  const auto found = std::ranges::find(kinds, key, &Kind::key);
+  return found == kinds.end() ? FileFilter::all : found->filter;
 }
 
 }  // namespace offing::present

@@ -2,14 +2,24 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <initializer_list>
 #include <string_view>
 #include <system_error>
 #include <tuple>
 
+#include "host/io/file_extension.h"
 #include "host/io/tile_store/tile_store.h"
 #include "present/window/dropped_files.h"
 
 namespace offing::present {
+
+namespace {
+
+bool ends_in(const std::filesystem::path& file, std::initializer_list<std::string_view> extensions) {
+  return std::ranges::find(extensions, lower_extension(file)) != extensions.end();
+}
+
+}  // namespace
 
 bool is_folder_to_enter(const std::filesystem::path& path) {
   std::error_code unknown;
@@ -34,6 +44,14 @@ bool passes(FileFilter filter, const std::filesystem::path& file) {
       return may_be(file, DroppedKind::spectrum);
     case FileFilter::clouds:
       return may_be(file, DroppedKind::cloud);
+    case FileFilter::aerial_pictures:
+      return ends_in(file, {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".vrt"});
+    case FileFilter::pictures:
+      return ends_in(file, {".png"});
+    case FileFilter::single_waves:
+      return ends_in(file, {".nc", ".csv"});
+    case FileFilter::hydrodynamics:
+      return ends_in(file, {".nc", ".1", ".3", ".hst"});
   }
   return false;
 }

@@ -8,9 +8,30 @@
 namespace offing::present {
 
 /// Which files a FileBrowser lists.
-enum class FileFilter { known, scenes, meshes, height_maps, spectra, clouds, all };
-inline constexpr std::array<const char*, 7> file_filter_names{
-    "all that Offing reads", "scenes", "meshes", "height maps", "wave spectra", "clouds", "all files"};
+enum class FileFilter {
+  known,
+  scenes,
+  meshes,
+  height_maps,
+  spectra,
+  clouds,
+  aerial_pictures,
+  pictures,
+  single_waves,
+  hydrodynamics,
+  all
+};
+inline constexpr std::array<const char*, 11> file_filter_names{"all that Offing reads",
+                                                               "scenes",
+                                                               "meshes",
+                                                               "height maps",
+                                                               "wave spectra",
+                                                               "clouds",
+                                                               "aerial pictures",
+                                                               "pictures",
+                                                               "single waves",
+                                                               "hydrodynamics of hulls",
+                                                               "all files"};
 
 /// A file or a folder in a list.
 struct FileEntry {

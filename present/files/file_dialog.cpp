@@ -76,7 +76,10 @@ std::optional<std::string> FileDialog::name_beside(int step) const {
 
 void FileDialog::accept() {
   fault_.clear();
-  if (name_.empty()) return;
+  if (name_.empty()) {
+    if (is_of_folders()) chosen_ = {.file = browser_.folder(), .purpose = request_.purpose};
+    return;
+  }
   const std::filesystem::path file = browser_.at(name_);
   try {
     if (is_folder_to_enter(file)) {
@@ -85,7 +88,8 @@ void FileDialog::accept() {
     } else if (is_saving()) {
       accept_to_save(file);
     } else if (is_there(file)) {
-      chosen_ = {.file = file};
+      // Any file of a folder names it.
+      chosen_ = {.file = is_of_folders() ? file.parent_path() : file, .purpose = request_.purpose};
     } else {
       fault_ = fmt::format("there is no file {}", one_line(file.string()));
     }
@@ -108,7 +112,9 @@ void FileDialog::accept_to_save(std::filesystem::path file) {
 }
 
 std::optional<ChosenFile> FileDialog::draw() {
-  const char* title = is_saving() ? "Save scene as###file dialog" : "Open a file###file dialog";
+  const char* title = is_saving()       ? "Save scene as###file dialog"
+                      : is_of_folders() ? "Choose a folder###file dialog"
+                                        : "Open a file###file dialog";
   if (is_open_ && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
@@ -229,7 +235,9 @@ void FileDialog::draw_name() {
     if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
   }
-  const bool is_confirmed = ImGui::Button(is_saving() ? "save" : "open");
+  const bool is_confirmed = ImGui::Button(is_saving()                        ? "save"
+                                          : is_of_folders() && name_.empty() ? "take this folder"
+                                                                             : "open");
   ImGui::SameLine();
   if (ImGui::Button("cancel")) is_open_ = false;
   ImGui::PushStyleColor(ImGuiCol_Text, fault_colour());

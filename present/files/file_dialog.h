@@ -13,7 +13,12 @@
 namespace offing::present {
 
 /// What a file is chosen for.
-enum class FilePurpose { open, save_scene };
+enum class FilePurpose {
+  open,
+  save_scene,
+  value,         ///< of a scene: the name of the file
+  folder_value,  ///< the same of a folder
+};
 
 struct ChosenFile {
   std::filesystem::path file;
@@ -55,6 +60,7 @@ class FileDialog {
   /// The name of the entry so many places after that of the name field.
   std::optional<std::string> name_beside(int step) const;
   bool is_saving() const { return request_.purpose == FilePurpose::save_scene; }
+  bool is_of_folders() const { return request_.purpose == FilePurpose::folder_value; }
 
   bool is_open_ = false;
   Request request_;

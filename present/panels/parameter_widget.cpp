@@ -94,6 +94,7 @@ class Widget {
   }
 
   Edit operator()(scene::ValueAt<std::string> at) {
+    if (row_.rule == scene::ParameterRule::file_name) browse_button();
     std::string text = at.in(section_);
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
@@ -200,6 +201,21 @@ class Widget {
 
   bool is_colour() const { return row_.unit.empty() && scene::name_of(row_.key).ends_with("colour"); }
 
+  /// The next item goes beside the last one, and both take the width of one.
+  void make_room_beside_button() {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float taken = ImGui::GetItemRectSize().x + gap;
+    ImGui::SameLine(0.0f, gap);
+    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::CalcItemWidth() - taken));
+  }
+
+  void browse_button() {
+    if (ImGui::Button(fmt::format("...##browse {}", row_.key).c_str()))
+      edit_.browsed = scene::ValueKey(row_.key, element_);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("choose a file");
+    make_room_beside_button();
+  }
+
   /// A button of the colour, which opens a picker. The picker shows sRGB, the value is linear.
   Edit colour_button(const glm::dvec3& at) {
     const glm::vec3 before(srgb_of(at));
@@ -215,9 +231,7 @@ class Widget {
         value[i] = std::clamp(linear_of(glm::dvec3(picked))[i], row_.low, row_.high);
     }
     const Edit edit = stored(is_changed, written(value));
-    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    const float taken = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::CalcItemWidth() - taken));
+    make_room_beside_button();
     return edit;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <any>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +24,8 @@ enum class Edit {
 struct EditInProgress {
   std::any before = {};                                                ///< the value
   std::vector<std::pair<scene::ValueKey, KeyframeTrack>> tracks = {};  ///< its keyframes
-  std::string fault = {};  ///< why the last value was refused; empty if it was taken
+  std::string fault = {};                       ///< why the last value was refused; empty if it was taken
+  std::optional<scene::ValueKey> browsed = {};  ///< a row whose file is to be chosen in a dialog
 };
 
 /// A row's name in words, without its unit: "direction" of `wind.direction_deg`.
@@ -33,7 +35,8 @@ std::string parameter_label(const scene::Parameter& row);
 
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
 /// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
-/// the value is as it was before the edit. `element` is that of a repeated section.
+/// the value is as it was before the edit. A row that names a file has a button that asks for a dialog.
+/// `element` is that of a repeated section.
 Edit parameter_widget(scene::Scene& scene, const scene::Parameter& row, EditInProgress& edit,
                       scene::ElementIndex element = {});
 

@@ -37,6 +37,7 @@ constexpr std::array known_names{
     KnownName{".spec", DroppedKind::spectrum},  KnownName{".spc", DroppedKind::spectrum},
     KnownName{".spt", DroppedKind::spectrum},   KnownName{".txt", DroppedKind::spectrum},
     KnownName{".nc", DroppedKind::spectrum},    KnownName{".gz", DroppedKind::spectrum},
+    KnownName{".csv", DroppedKind::spectrum},   KnownName{".json", DroppedKind::spectrum},
     KnownName{".vdb", DroppedKind::cloud}};
 
 DroppedKind kind_of_ply(const std::filesystem::path& file) {
@@ -127,7 +128,8 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file) {
       fmt::format("{}: expected a scene, a mesh, heights, a spectrum or a cloud, got a file of another kind",
                   one_line(file.filename().string())),
       "known endings: .toml; .obj .ply .off .stl .gltf .glb; .tif .hgt .zip .dem .asc .vrt .png .exr and "
-      "tile stores; .data_spec .spec .spc .spt .txt .nc and these as .gz; .vdb and .ply of particles");
+      "tile stores; .data_spec .spec .spc .spt .txt .csv .json .nc and these as .gz; .vdb and .ply of "
+      "particles");
 }
 
 std::string add_dropped(scene::Scene& scene, const std::filesystem::path& file, DroppedKind kind,

@@ -88,7 +88,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       recent_(state_file("recent_files")),
       intake_(options_, sea_, state_, editing_, scenes_, recent_),
       quit_(scenes_, state_),
-      files_(options_, state_, scenes_, intake_, scene_list_, recent_),
+      files_(options_, state_, editing_, scenes_, intake_, scene_list_, recent_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -499,6 +499,7 @@ void Viewer::apply(const PanelEdits& edits) {
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.action) act({*edits.action});
   if (edits.wanted_file) files_.open(*edits.wanted_file);
+  if (state_.edit.browsed) files_.browse(*std::exchange(state_.edit.browsed, {}));
   if (edits.wants_original) {
     state_.scene = options_.scene;
     reset_camera();

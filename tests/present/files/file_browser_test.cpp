@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/scene/schema/parameter_table.h"
+#include "present/files/file_actions.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/scoped_environment.h"
 
@@ -47,6 +49,22 @@ TEST_F(FileBrowserTest, ListsFoldersThenFilesOfTheKind) {
               ElementsAre("..", "maps ü", "SHIP.GLB", "b.ply", "coast.tif", "sea.toml"));
   EXPECT_THAT(names(FileFilter::all),
               ElementsAre("..", "maps ü", "SHIP.GLB", "b.ply", "coast.tif", "notes.odt", "sea.toml"));
+}
+
+// Fails if the dialog of a value that names a file hides the files that the value takes, or lists all.
+TEST(FilterOfRowTest, ListsWhatTheValueTakes) {
+  int rows = 0;
+  for (const scene::Parameter& row : scene::parameter_table()) {
+    if (row.rule != scene::ParameterRule::file_name) continue;
+    ++rows;
+    const FileFilter filter = filter_of_row(row.key);
+    EXPECT_NE(filter, FileFilter::all) << row.key;
+    const bool is_folder = row.help.starts_with("folder");
+    EXPECT_TRUE(passes(filter, is_folder ? "00.png" : row.example)) << row.key;
+  }
+  EXPECT_GE(rows, 12);
+  EXPECT_TRUE(passes(filter_of_row("body.hydrodynamics"), "barge.1"));
+  EXPECT_FALSE(passes(filter_of_row("mesh.file"), "coast.tif"));
 }
 
 // Fails if a typed name is looked for in another folder than the one that is shown.

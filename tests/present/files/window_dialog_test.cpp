@@ -205,6 +205,30 @@ TEST_F(WindowDialogTest, OpensWithTheMouse) {
               1.0);
 }
 
+// Fails if the button of a value that names a file lists other files, or what is chosen there is not the
+// value and one step of undo.
+TEST_F(WindowDialogTest, ValuesThatNameFilesAreChosen) {
+  present::ViewOptions options = scene_in_folder();
+  options.scene.meshes.resize(1);
+  std::ofstream(work("notes.odt")) << "x";
+  std::ofstream(work("wedge.obj"))
+      << "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  open(options);
+  toggle_header("Meshes");
+  click(find(main_panel(), "...##browse mesh.file", 20, 0));
+  turn(2);
+  ASSERT_TRUE(is_open());
+  press("Down");  // ".."
+  press("Down");
+  press("Return");
+  turn(4);
+  EXPECT_FALSE(is_open());
+  EXPECT_EQ(state().scene.meshes[0].file, work("wedge.obj").string()) << message();
+  EXPECT_FALSE(state().message.is_fault) << message();
+  undo();
+  EXPECT_EQ(state().scene.meshes[0].file, "");
+}
+
 // Fails if keys that are typed fly the camera or open the help, Esc does not close the dialog, or its lists
 // keep it open.
 TEST_F(WindowDialogTest, HasTheKeyboard) {
