@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -237,6 +238,31 @@ TEST_F(Highlights, FramesAreThoseAskedFor) {
   EXPECT_TRUE(std::equal(std::istreambuf_iterator<char>(a), {}, std::istreambuf_iterator<char>(b), {}));
 }
 
+// Fails if --with-scene leaves out the mesh, the camera or a light, or writes those of another scene; its
+// values are checked in tests/io/animations.
+TEST_F(Highlights, CanHaveTheirScene) {
+  const ProgramResult result = run_offing(
+      {"highlights", scene(), "-o", path("shot.gltf"), "--with-scene", "--frames", "0:1", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json json = read(path("shot.gltf"));
+  const nlohmann::json& nodes = json.at("nodes");
+  EXPECT_EQ(nodes.at(0).at("name"), "ball");
+  const nlohmann::json& ball = json.at("meshes").at(nodes[0].at("mesh").get<std::size_t>());
+  EXPECT_EQ(ball.at("name"), "ball");
+  const nlohmann::json& places =
+      json.at("accessors").at(ball.at("primitives").at(0).at("attributes").at("POSITION").get<std::size_t>());
+  EXPECT_NEAR(places.at("max").at(1), 1.6, 1e-3);
+  const auto eye =
+      std::find_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.contains("camera"); });
+  ASSERT_NE(eye, nodes.end());
+  EXPECT_EQ(eye->at("translation"), nlohmann::json({1.0, 2.0, 6.0}));
+  const nlohmann::json& lights = json.at("extensions").at("KHR_lights_punctual").at("lights");
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_EQ(lights[0].at("name"), "key");
+  EXPECT_EQ(lights[0].at("intensity"), 50e3);
+  EXPECT_EQ(lights[1].at("name"), "sun");
+}
+
 // Fails if a texture that needs a picture and has none is written as one without a file, or found only after
 // all frames.
 TEST_F(Highlights, TexturesNeedTheirPictures) {
@@ -269,6 +295,7 @@ TEST_F(Highlights, RefusesWithAHint) {
                           {{path("none.toml"), "-o", path("out.json")}, "none.toml"},
                           {{scene(), "-o", path("there.json")}, "there.json"},
                           {{scene(), "-o", path("no/out.json")}, "no/out.json"},
+                          {{scene(), "-o", path("out.json"), "--with-scene"}, ".glb or .gltf"},
                           {{scene(), "-o", path("out.json"), "--fps", "0"}, "--fps"},
                           {{scene(), "-o", path("out.json"), "--frames", "9:3"}, "--frames"}}) {
     std::vector<std::string> arguments{"highlights"};

@@ -67,17 +67,6 @@ def pixels(file):
     return values.reshape(image.size[1], image.size[0], 4)[::-1]
 
 
-def header_of(file, name):
-    """A number in the header of an EXR file."""
-    content = file.read_bytes()
-    kind, size = {b"float\0": ("<f4", 4), b"double\0": ("<f8", 8)}, 4
-    place = content.index(name.encode() + b"\0") + len(name) + 1
-    for label, (form, width) in kind.items():
-        if content.startswith(label, place):
-            return float(np.frombuffer(content, form, 1, place + len(label) + size)[0])
-    raise AssertionError(f"{file.name}: {name} is no number")
-
-
 def between(values, column, row):
     """Of an array [rows][columns], bilinear between its texels."""
     i, j = np.floor(column).astype(int), np.floor(row).astype(int)
@@ -99,8 +88,8 @@ def sea_at(out, sea, frame, around):
 
     # A wake is on top of the water that is at rest where its texels are, as all maps have it.
     file = out / (wake["maps"]["height"]["file"] % frame)
-    texel_m = header_of(file, "texel_m")
-    east, south = at_rest[..., 0] - header_of(file, "origin_x_m"), header_of(file, "origin_y_m") - at_rest[..., 1]
+    texel_m = peer.header_of(file, "texel_m")
+    east, south = at_rest[..., 0] - peer.header_of(file, "origin_x_m"), peer.header_of(file, "origin_y_m") - at_rest[..., 1]
     places[..., 2] += between(pixels(file)[..., 0], east / texel_m, south / texel_m)
     across = len(places)
     corners = [r * across + c for r in range(across - 1) for c in range(across - 1)]

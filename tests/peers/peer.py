@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 
@@ -30,3 +31,13 @@ def enter(package):
 def run(offing, *arguments):
     """The output of an offing command, which must succeed."""
     return subprocess.run([offing, *map(str, arguments)], check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def header_of(file, name):
+    """A number in the header of an EXR file."""
+    content, size = file.read_bytes(), 4
+    place = content.index(name.encode() + b"\0") + len(name) + 1
+    for label, form in ((b"float\0", "<f"), (b"double\0", "<d")):
+        if content.startswith(label, place):
+            return struct.unpack_from(form, content, place + len(label) + size)[0]
+    raise AssertionError(f"{file.name}: {name} is no number")

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
@@ -132,11 +133,45 @@ void require_highlights(const scene::Scene& scene) {
               "add a [[mesh]] to the scene, such as that of scenes/knot.toml");
 }
 
+/// What an animation has beside highlights.
+enum class Around { nothing, scene };
+
+animations::MeshLook look_of(const world::WorldMesh& view) {
+  return {std::make_shared<TriangleMesh>(view.surface().mesh()), view.parameters().material.colour};
+}
+
+/// The lights of a world at rest, without frames yet. A near one is as far away as the first mesh is from it.
+std::vector<animations::AnimatedLight> lights_of(const world::World& world) {
+  std::vector<animations::AnimatedLight> lights;
+  for (const world::Light& light : world.parameters().lights) {
+    const bool is_near = light.source.kind == highlights::Source::Kind::place;
+    const glm::dvec3& mesh_m = world.meshes().front().motion().translation_m;
+    lights.push_back({.is_near = is_near,
+                      .distance_m = is_near ? glm::distance(light.source.vector, mesh_m) : 1.0,
+                      .frames = {}});
+  }
+  lights.emplace_back();  // the sun
+  return lights;
+}
+
+/// Adds what stands around the highlights at this time.
+void add_frame(animations::AnimatedScene& around, const world::World& world, const Camera& camera) {
+  around.cameras.push_back(camera);
+  const std::vector<world::Light>& lights = world.parameters().lights;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    around.lights[i].frames.push_back(
+        {lights[i].source.vector, lights[i].colour * lights[i].illuminance_klx});
+  const auto& [x, y, z] = world.parameters().sun.sun_direction;
+  const sky::Rgb& sun_klx = world.illuminance().sun_klx;
+  around.lights.back().frames.push_back(
+      {{x, y, z}, y > 0.0 ? glm::dvec3(sun_klx[0], sun_klx[1], sun_klx[2]) : glm::dvec3(0.0)});
+}
+
 /// The highlights of a scene's meshes over frames, as offing-view draws them in files, with the same id as
 /// long as each lasts. Throws Error(bad_input) for a scene without meshes that have highlights,
 /// Error(cancelled), and what preparing its world and showing its meshes throws.
 animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::Scene scene,
-                                                 const FrameRange& frames, Progress& progress,
+                                                 const FrameRange& frames, Around around, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
   // As offing-view shows it: the eye at its place, and bodies where they float.
@@ -155,6 +190,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
                                 .file = scene.meshes[i].file,
                                 .scale = scene.meshes[i].scale,
                                 .frames = {}});
+    if (around == Around::scene) animation.meshes.back().look = look_of(world.meshes()[i]);
   }
   const highlights::LightingAt lighting = scene::lighting_of(scene, world.terrain());
   const double first_s = frames.first / scene.time.frames_per_second;
@@ -163,6 +199,10 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
     cancel.throw_if_cancelled();
     const scene::ViewScene view = scene::show_at(world, scene, frame / scene.time.frames_per_second);
     world.see_meshes(view.camera.eye_m, lighting, first_s);
+    if (around == Around::scene) {
+      if (!animation.scene) animation.scene = {.cameras = {}, .lights = lights_of(world)};
+      add_frame(*animation.scene, world, view.camera);
+    }
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
       animation.meshes[i].frames.push_back(frame_of(world.meshes()[i], scene.meshes[i], textures));
     progress.advance();
@@ -173,6 +213,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
 struct HighlightsArguments {
   std::string scene, output;
   FrameFlags frames;
+  bool has_scene = false;
   bool json = false;
   Existing existing = Existing::keep;
   Trust trust = Trust::trusted;
@@ -216,6 +257,11 @@ Counts counts_of(const animations::HighlightAnimation& animation) {
 void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const std::filesystem::path output = arguments.output;
   animations::require_animation_name(output);
+  if (arguments.has_scene && output.extension() == ".json") {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("--with-scene: expected a file .glb or .gltf, got {}", arguments.output),
+                "name it highlights.glb, or leave --with-scene out");
+  }
   scene::Scene scene = scene::load_scene(arguments.scene, arguments.trust);
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
@@ -225,7 +271,8 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   animations::HighlightAnimation animation = [&] {
     Progress progress(frames.last - frames.first + 1, "frames", options.verbosity);
-    return record_highlights(device, scene, frames, progress, options.cancel);
+    return record_highlights(device, scene, frames, arguments.has_scene ? Around::scene : Around::nothing,
+                             progress, options.cancel);
   }();
   name_from(std::filesystem::absolute(output).parent_path(), animation);
   animations::write_highlights(output, animation, arguments.existing);
@@ -262,6 +309,10 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   add("-o,--output", arguments->output, "FILE",
       "file to write. .json: all numbers, in world axes; .glb or .gltf: one node per projector, for engines")
       ->required();
+  command
+      ->add_flag("--with-scene", arguments->has_scene,
+                 "also write the meshes, the camera and the lights (.glb, .gltf)")
+      ->group(group);
   arguments->frames.add_frames_to(*command, group);
   arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
@@ -276,7 +327,8 @@ of 0 means no highlight.
 
 Examples:
   offing highlights scenes/knot.toml -o knot.json --frames 0:47 --fps 24
-  offing highlights scenes/knot.toml -o knot.glb)");
+  offing highlights scenes/knot.toml -o knot.glb
+  offing highlights scenes/knot.toml --with-scene -o shot.glb)");
   command->callback([arguments, &options] { run(*arguments, options); });
 }
 

@@ -3,13 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "host/base/camera.h"
 #include "host/base/rgba_image.h"
+#include "host/base/triangle_mesh.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::animations {
@@ -42,12 +46,38 @@ struct MeshFrame {
   std::vector<ProjectorSample> projectors;
 };
 
+/// What a mesh looks like at rest, for programs that do not have its file.
+struct MeshLook {
+  std::shared_ptr<const TriangleMesh> mesh;  ///< at its scale, with its normals
+  glm::dvec3 colour{0.5};                    ///< diffuse reflectance, linear Rec.709
+};
+
 /// A mesh of an animation, with its pose and highlights in each frame.
 struct AnimatedMesh {
   std::string name;
   std::string file;    ///< as it is to be named; empty for made shapes
   double scale = 1.0;  ///< of the file's places, before its pose
   std::vector<MeshFrame> frames;
+  std::optional<MeshLook> look = {};
+};
+
+/// What a light sends at one time.
+struct LightFrame {
+  glm::dvec3 vector{0.0, 1.0, 0.0};  ///< toward a distant light, or the place of a near one, m
+  glm::dvec3 illuminance_klx{0.0};   ///< of surfaces that face it, linear Rec.709; 0 where it is gone
+};
+
+/// A light of an animation.
+struct AnimatedLight {
+  bool is_near = false;
+  double distance_m = 1.0;  ///< of a near one from the meshes
+  std::vector<LightFrame> frames;
+};
+
+/// What meshes, eye and lights of a scene are beside their highlights.
+struct AnimatedScene {
+  std::vector<Camera> cameras;        ///< a frame each
+  std::vector<AnimatedLight> lights;  ///< in the order of HighlightAnimation::lights
 };
 
 /// The highlights of meshes, frame by frame: frame i is at (first_frame + i) / frames_per_s.
@@ -57,7 +87,8 @@ struct HighlightAnimation {
   int first_frame = 0;
   std::vector<std::string> lights;  ///< names, in the order of ProjectorSample::light
   std::vector<AnimatedTexture> textures;
-  std::vector<AnimatedMesh> meshes;  ///< as many frames each
+  std::vector<AnimatedMesh> meshes;         ///< as many frames each
+  std::optional<AnimatedScene> scene = {};  ///< of glTF files alone
 };
 
 /// By the name's ending, atomically: `.json`, for programs: every number, in the world's axes, next to the
@@ -84,6 +115,10 @@ enum class GltfForm {
 /// id, rule, copy, light (of the file's extras.lights, null for a pin), texture and softness; those of a
 /// mesh's node its file and the scale of the file's places, which the node does not have. Poses lie at each
 /// frame, linear in between.
+///
+/// A mesh with a look is in the file too: positions, normals and a material of its name. A scene gives a node
+/// "camera" and a node for each light (KHR_lights_punctual), in lux, or in candela that make its illuminance
+/// at distance_m; values that do not change have no keys.
 std::string highlight_animation_gltf(const HighlightAnimation& animation, GltfForm form);
 
 /// An animation as JSON: {"generator", "version": 1, "frames_per_s", "first_frame", "frame_count",

@@ -1,16 +1,20 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +33,7 @@ class GltfBuffer {
   std::size_t add(std::span<const float> values, std::size_t components);
   /// Indices of triangles' corners.
   std::size_t add_indices(std::span<const std::uint16_t> indices);
+  std::size_t add_indices(std::span<const std::uint32_t> indices);
   /// Any bytes, as a view without an accessor: its index.
   std::size_t add_bytes(std::string_view bytes);
 
@@ -37,13 +42,15 @@ class GltfBuffer {
   const nlohmann::ordered_json& accessors() const { return accessors_; }
 
  private:
+  std::size_t add_index_accessor(std::size_t view, std::size_t count, int type);
+
   std::string bytes_;
   nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
 };
 
 // As glTF numbers them.
-constexpr int float_type = 5126, uint16_type = 5123;
+constexpr int float_type = 5126, uint16_type = 5123, uint32_type = 5125;
 
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
 
@@ -83,12 +90,17 @@ std::size_t GltfBuffer::add(std::span<const float> values, std::size_t component
   return accessors_.size() - 1;
 }
 
-std::size_t GltfBuffer::add_indices(std::span<const std::uint16_t> indices) {
-  accessors_.push_back({{"bufferView", add_bytes(bytes_of(indices))},
-                        {"componentType", uint16_type},
-                        {"count", indices.size()},
-                        {"type", "SCALAR"}});
+std::size_t GltfBuffer::add_index_accessor(std::size_t view, std::size_t count, int type) {
+  accessors_.push_back({{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", "SCALAR"}});
   return accessors_.size() - 1;
+}
+
+std::size_t GltfBuffer::add_indices(std::span<const std::uint16_t> indices) {
+  return add_index_accessor(add_bytes(bytes_of(indices)), indices.size(), uint16_type);
+}
+
+std::size_t GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
+  return add_index_accessor(add_bytes(bytes_of(indices)), indices.size(), uint32_type);
 }
 
 void append_number(std::string& file, std::size_t value) {
@@ -194,6 +206,10 @@ class Writer {
     buffer_.add_indices(indices);
     for (const AnimatedTexture& texture : animation.textures) add_texture(texture);
     for (const AnimatedMesh& mesh : animation.meshes) add_mesh(mesh);
+    if (!animation.scene) return;
+    add_camera(animation.scene->cameras);
+    for (std::size_t i = 0; i < animation.scene->lights.size(); ++i)
+      add_light(animation.scene->lights[i], animation.lights[i]);
   }
 
   Json document() const {
@@ -215,6 +231,11 @@ class Writer {
                  {"animations", {{{"name", "highlights"}, {"channels", channels_}, {"samplers", samplers_}}}},
                  {"bufferViews", buffer_.views()},
                  {"accessors", buffer_.accessors()}};
+    if (!cameras_.empty()) json["cameras"] = cameras_;
+    if (!lights_.empty()) {
+      json["extensionsUsed"].push_back("KHR_lights_punctual");
+      json["extensions"] = {{"KHR_lights_punctual", {{"lights", lights_}}}};
+    }
     // An empty list is none to glTF.
     for (const char* name : {"nodes", "meshes", "materials", "textures", "images"}) {
       if (json[name].empty()) json.erase(name);
@@ -247,17 +268,145 @@ class Writer {
   }
 
   /// The first key is how the node stands where animations are left out.
-  void add_poses(std::size_t node, const NodeKeys& keys, std::size_t times) {
+  void set_pose(std::size_t node, const NodeKeys& keys) {
     const auto first = [](const std::vector<float>& values, std::ptrdiff_t count) {
       return std::vector<float>(values.begin(), values.begin() + count);
     };
     nodes_[node]["translation"] = first(keys.translations, 3);
     nodes_[node]["rotation"] = first(keys.rotations, 4);
     if (!keys.scales.empty()) nodes_[node]["scale"] = first(keys.scales, 3);
+  }
+
+  void add_poses(std::size_t node, const NodeKeys& keys, std::size_t times) {
+    set_pose(node, keys);
     add_channel({{"node", node}, {"path", "translation"}}, times, buffer_.add(keys.translations, 3));
     add_channel({{"node", node}, {"path", "rotation"}}, times, buffer_.add(keys.rotations, 4));
     if (!keys.scales.empty())
       add_channel({{"node", node}, {"path", "scale"}}, times, buffer_.add(keys.scales, 3));
+  }
+
+  /// A channel for a number or numbers of the document, at its path.
+  void add_pointer(std::string pointer, std::size_t times, std::size_t values) {
+    add_channel(
+        {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", std::move(pointer)}}}}}},
+        times, values);
+  }
+
+  /// The same for values that change; others stay as the document has them. Times are those of all frames.
+  void add_changes(std::string pointer, std::span<const float> values, std::size_t components) {
+    if (changes(values, components))
+      add_pointer(std::move(pointer), frame_times(values.size() / components),
+                  buffer_.add(values, components));
+  }
+
+  static bool changes(std::span<const float> values, std::size_t components) {
+    return !std::equal(values.begin() + static_cast<std::ptrdiff_t>(components), values.end(),
+                       values.begin());
+  }
+
+  /// The accessor of the times of all frames.
+  std::size_t frame_times(std::size_t count) {
+    if (!frame_times_) {
+      std::vector<float> times_s;
+      for (std::size_t frame = 0; frame < count; ++frame)
+        times_s.push_back(static_cast<float>(time_s(frame)));
+      frame_times_ = buffer_.add(times_s, 1);
+    }
+    return *frame_times_;
+  }
+
+  /// A node beside the meshes, with keys if it moves.
+  void add_root(Json node, const NodeKeys& keys) {
+    roots_.push_back(nodes_.size());
+    nodes_.push_back(std::move(node));
+    if (changes(keys.translations, 3) || changes(keys.rotations, 4)) {
+      add_poses(nodes_.size() - 1, keys, frame_times(keys.times_s.size()));
+    } else {
+      set_pose(nodes_.size() - 1, keys);
+    }
+  }
+
+  void add_camera(const std::vector<Camera>& cameras) {
+    NodeKeys keys;
+    std::vector<float> fields_rad;
+    for (std::size_t frame = 0; frame < cameras.size(); ++frame) {
+      const CameraBasis axes = basis(cameras[frame]);
+      keys.add_pose(time_s(frame), cameras[frame].eye_m, {axes.right, axes.up, -axes.forward});
+      fields_rad.push_back(static_cast<float>(cameras[frame].vertical_field_of_view_rad));
+    }
+    constexpr double near_m = 0.1;  // glTF wants one
+    cameras_.push_back({{"name", "camera"},
+                        {"type", "perspective"},
+                        {"perspective", {{"yfov", fields_rad[0]}, {"znear", near_m}}}});
+    add_root({{"name", "camera"}, {"camera", 0}}, keys);
+    add_changes("/cameras/0/perspective/yfov", fields_rad, 1);
+  }
+
+  void add_light(const AnimatedLight& light, const std::string& name) {
+    // A light without a name is known by its number.
+    const std::string shown = name.empty() ? fmt::format("light {}", lights_.size()) : name;
+    // Lux of distant lights; candela of near ones, which glTF dims by the square of the distance.
+    const double intensity_per_klx = 1000.0 * (light.is_near ? light.distance_m * light.distance_m : 1.0);
+    NodeKeys keys;
+    std::vector<float> colours, intensities;
+    for (std::size_t frame = 0; frame < light.frames.size(); ++frame) {
+      const LightFrame& at = light.frames[frame];
+      // glTF's lights shine along -z.
+      keys.add_pose(time_s(frame), light.is_near ? at.vector : glm::dvec3(0.0),
+                    light.is_near ? glm::dmat3(1.0) : axes_along(at.vector));
+      const double brightest_klx =
+          std::max({at.illuminance_klx.r, at.illuminance_klx.g, at.illuminance_klx.b});
+      for (int c = 0; c < 3; ++c)
+        colours.push_back(
+            static_cast<float>(brightest_klx > 0.0 ? at.illuminance_klx[c] / brightest_klx : 1.0));
+      intensities.push_back(static_cast<float>(intensity_per_klx * brightest_klx));
+    }
+    const std::string path = fmt::format("/extensions/KHR_lights_punctual/lights/{}/", lights_.size());
+    lights_.push_back({{"name", shown},
+                       {"type", light.is_near ? "point" : "directional"},
+                       {"color", {colours[0], colours[1], colours[2]}},
+                       {"intensity", intensities[0]}});
+    add_root({{"name", shown},
+              {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}},
+              {"extras", {{"light", lights_.size() - 1}}}},
+             keys);
+    add_changes(path + "color", colours, 3);
+    add_changes(path + "intensity", intensities, 1);
+  }
+
+  /// Right-handed axes with this z.
+  static glm::dmat3 axes_along(const glm::dvec3& z) {
+    const glm::dvec3 aside = std::abs(z.y) < 0.999 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 x = glm::normalize(glm::cross(aside, z));
+    return {x, glm::cross(z, x), z};
+  }
+
+  /// A mesh with a material of its name: the index of the mesh.
+  std::size_t add_look(const MeshLook& look, const std::string& name) {
+    const TriangleMesh& mesh = *look.mesh;
+    const auto add_vectors = [&](const std::vector<glm::dvec3>& vectors) {
+      std::vector<float> values;
+      for (const glm::dvec3& vector : vectors) {
+        for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(vector[c]));
+      }
+      return buffer_.add(values, 3);
+    };
+    std::vector<std::uint32_t> corners;
+    for (const TriangleIndices& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
+    Json attributes = {{"POSITION", add_vectors(mesh.positions_m)}};
+    if (!mesh.normals.empty()) attributes["NORMAL"] = add_vectors(mesh.normals);
+    materials_.push_back({{"name", name},
+                          {"pbrMetallicRoughness",
+                           {{"baseColorFactor", {look.colour.r, look.colour.g, look.colour.b, 1.0}},
+                            {"metallicFactor", 0.0},
+                            {"roughnessFactor", 1.0}}},
+                          {"doubleSided", true}});
+    meshes_.push_back({{"name", name},
+                       {"primitives",
+                        {{{"attributes", std::move(attributes)},
+                          {"indices", buffer_.add_indices(std::span<const std::uint32_t>(corners))},
+                          {"material", materials_.size() - 1}}}}});
+    return meshes_.size() - 1;
   }
 
   void add_mesh(const AnimatedMesh& mesh) {
@@ -266,6 +415,7 @@ class Writer {
     if (!mesh.file.empty()) extras["file"] = mesh.file;
     nodes_.push_back({{"name", mesh.name}, {"extras", std::move(extras)}});
     roots_.push_back(node);
+    if (mesh.look) nodes_[node]["mesh"] = add_look(*mesh.look, mesh.name);
     NodeKeys keys;
     for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame)
       keys.add_pose(time_s(frame), mesh.frames[frame].translation_m, mesh.frames[frame].rotation);
@@ -316,7 +466,8 @@ class Writer {
          {"alphaMode", "BLEND"},
          {"doubleSided", true},
          {"extensions", {{"KHR_materials_unlit", Json::object()}}}});
-    meshes_.push_back({{"primitives",
+    meshes_.push_back({{"name", name},
+                       {"primitives",
                         {{{"attributes", {{"POSITION", square_positions}, {"TEXCOORD_0", square_places}}},
                           {"indices", square_indices},
                           {"material", materials_.size() - 1}}}}});
@@ -333,16 +484,15 @@ class Writer {
                         {"softness", sample.softness}}}});
     const std::size_t times = buffer_.add(keys.times_s, 1);
     add_poses(node, keys, times);
-    const std::string pointer =
-        fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", materials_.size() - 1);
-    add_channel({{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}},
+    add_pointer(fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", materials_.size() - 1),
                 times, buffer_.add(keys.colours, 4));
   }
 
   const HighlightAnimation& animation_;
   GltfBuffer buffer_;
   Json nodes_ = Json::array(), roots_ = nodes_, meshes_ = nodes_, materials_ = nodes_, textures_ = nodes_,
-       images_ = nodes_, channels_ = nodes_, samplers_ = nodes_;
+       images_ = nodes_, channels_ = nodes_, samplers_ = nodes_, cameras_ = nodes_, lights_ = nodes_;
+  std::optional<std::size_t> frame_times_;  // their accessor
 };
 
 }  // namespace

@@ -6,11 +6,14 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
@@ -251,6 +254,106 @@ TEST(HighlightAnimationTest, GltfReadsBackAsTextAndBinary) {
     ASSERT_GT(png.size(), 8u);
     EXPECT_EQ(std::string(png.begin() + 1, png.begin() + 4), "PNG");
   }
+}
+
+/// The example with a mesh of two faces, an eye that moves and zooms, a light that dims and a sun that stands.
+HighlightAnimation example_with_scene() {
+  HighlightAnimation animation = example();
+  TriangleMesh mesh;
+  mesh.positions_m = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 2.0, 0.0}, {0.0, 2.0, 0.5}};
+  mesh.normals.assign(4, {0.0, 0.0, 1.0});
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+  animation.meshes[0].look = {std::make_shared<TriangleMesh>(mesh), {0.5, 0.25, 0.125}};
+  AnimatedLight key{.is_near = true, .distance_m = 3.0, .frames = {}}, sun;
+  AnimatedScene around;
+  for (int frame = 0; frame < frame_count; ++frame) {
+    around.cameras.push_back({.eye_m = {1.0 + frame, 2.0, 5.0},
+                              .yaw_rad = 0.3 * frame,
+                              .pitch_rad = -0.2,
+                              .vertical_field_of_view_rad = 0.8 + 0.01 * frame});
+    key.frames.push_back({{-3.0, 5.0, 0.5 * frame}, (1.0 - 0.1 * frame) * glm::dvec3(20.0, 10.0, 5.0)});
+    sun.frames.push_back({glm::normalize(glm::dvec3(1.0, 1.0, 0.0)), {90.0, 90.0, 45.0}});
+  }
+  around.lights = {key, sun};
+  animation.scene = around;
+  return animation;
+}
+
+/// Values of the channel of a pointer; none where there is none.
+std::vector<std::vector<double>> pointed(const nlohmann::json& json, const tinygltf::Model& model,
+                                         const std::string& pointer) {
+  for (const nlohmann::json& channel : json.at("animations").at(0).at("channels")) {
+    if (channel.at("target").at("path") == "pointer" &&
+        channel.at("target").at("extensions").at("KHR_animation_pointer").at("pointer") == pointer)
+      return rows(model,
+                  json["animations"][0]["samplers"][channel.at("sampler").get<std::size_t>()]["output"]);
+  }
+  return {};
+}
+
+// glTF's cameras look along -z with y up, its lights shine along -z. Fails if eye or lights stand or turn
+// elsewhere than in the scene at any frame, if candela do not make the scene's illuminance at the distance of
+// the mesh, if what stands still has keys, or if the mesh is another one. Numbers are floats: 1e-6.
+TEST(HighlightAnimationTest, GltfHasTheSceneAround) {
+  const TemporaryFolder folder;
+  const HighlightAnimation animation = example_with_scene();
+  write_highlights(folder.path() / "h.gltf", animation);
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
+                           int, void*) { return true; },
+                        nullptr);
+  tinygltf::Model model;
+  std::string error, warning;
+  ASSERT_TRUE(loader.LoadASCIIFromFile(&model, &error, &warning, (folder.path() / "h.gltf").string()))
+      << error;
+  const nlohmann::json json = nlohmann::json::parse(content(folder.path() / "h.gltf"));
+  std::map<std::string, int> nodes;
+  for (const int root : model.scenes.at(0).nodes)
+    nodes[model.nodes[static_cast<std::size_t>(root)].name] = root;
+  ASSERT_EQ(nodes.size(), 4u);  // knot, camera, key, sun
+  const int eye = nodes.at("camera"), key = nodes.at("key"), sun = nodes.at("sun");
+  EXPECT_EQ(model.nodes[static_cast<std::size_t>(eye)].camera, 0);
+  ASSERT_EQ(model.lights.size(), 2u);
+  EXPECT_EQ(model.lights[0].type, "point");
+  EXPECT_EQ(model.lights[1].type, "directional");
+  const auto fields = pointed(json, model, "/cameras/0/perspective/yfov");
+  const auto candela = pointed(json, model, "/extensions/KHR_lights_punctual/lights/0/intensity");
+  ASSERT_EQ(fields.size(), static_cast<std::size_t>(frame_count));
+  ASSERT_EQ(candela.size(), fields.size());
+  for (int frame = 0; frame < frame_count; ++frame) {
+    const auto i = static_cast<std::size_t>(frame);
+    const double time_s = (first_frame + frame) / frames_per_s;
+    const Camera& camera = animation.scene->cameras[i];
+    const std::vector<double> turn = value_at(model, eye, "rotation", time_s);
+    const glm::dmat3 axes = glm::mat3_cast(glm::dquat(turn[3], turn[0], turn[1], turn[2]));
+    EXPECT_LE(glm::distance(-axes[2], basis(camera).forward), 1e-6);
+    EXPECT_LE(glm::distance(axes[1], basis(camera).up), 1e-6);
+    EXPECT_LE(glm::distance(vector_of(value_at(model, eye, "translation", time_s)), camera.eye_m), 1e-6);
+    EXPECT_NEAR(fields[i][0], camera.vertical_field_of_view_rad, 1e-6);
+    const LightFrame& near = animation.scene->lights[0].frames[i];
+    EXPECT_LE(glm::distance(vector_of(value_at(model, key, "translation", time_s)), near.vector), 1e-6);
+    EXPECT_NEAR(candela[i][0] / (3.0 * 3.0), 1000.0 * near.illuminance_klx.r, 1e-2);
+  }
+  EXPECT_THAT(model.lights[0].color, testing::ElementsAre(1.0, 0.5, 0.25));
+  EXPECT_THAT(model.lights[1].color, testing::ElementsAre(1.0, 1.0, 0.5));
+  EXPECT_EQ(model.lights[1].intensity, 90e3);
+  EXPECT_TRUE(pointed(json, model, "/extensions/KHR_lights_punctual/lights/0/color").empty());
+  EXPECT_TRUE(pointed(json, model, "/extensions/KHR_lights_punctual/lights/1/intensity").empty());
+  const std::vector<double>& still = model.nodes[static_cast<std::size_t>(sun)].rotation;
+  const glm::dmat3 sun_axes = glm::mat3_cast(glm::dquat(still.at(3), still.at(0), still.at(1), still.at(2)));
+  EXPECT_LE(glm::distance(sun_axes[2], animation.scene->lights[1].frames[0].vector), 1e-6);
+  for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels)
+    EXPECT_NE(channel.target_node, sun);
+
+  const tinygltf::Primitive& look =
+      model.meshes.at(static_cast<std::size_t>(model.nodes[0].mesh)).primitives.at(0);
+  const TriangleMesh& mesh = *animation.meshes[0].look->mesh;
+  const auto places = rows(model, look.attributes.at("POSITION"));
+  ASSERT_EQ(places.size(), mesh.positions_m.size());
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(vector_of(places[i]), mesh.positions_m[i]);
+  EXPECT_EQ(rows(model, look.attributes.at("NORMAL")).size(), mesh.normals.size());
+  EXPECT_EQ(model.accessors.at(static_cast<std::size_t>(look.indices)).count, 3 * mesh.faces.size());
+  EXPECT_EQ(model.materials.at(static_cast<std::size_t>(look.material)).name, "knot");
 }
 
 // Neighbouring keys of a rotation are less than half a turn apart as numbers too: players mix them so. Fails
