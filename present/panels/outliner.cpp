@@ -13,6 +13,7 @@
 #include "host/mesh_shapes/shape_table.h"
 #include "host/scene/schema/parameter_table.h"
 #include "present/editing/objects/selection.h"
+#include "present/panels/preset_buttons.h"
 #include "present/window/bookmarks.h"
 
 namespace offing::present {
@@ -213,6 +214,7 @@ void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& ed
   if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
   ImGui::PushID("properties");
   for (const scene::ParameterGroup group : groups_of(object.kind)) {
+    note_edit(draw_presets(state.scene, group, {object.index, 0}), group, state, edits);
     for (const scene::Parameter& row : scene::parameter_table()) {
       if (row.group != group || &row == name_row(object.kind)) continue;
       const bool is_of_list = row.section->is_repeated();

@@ -11,13 +11,12 @@
 #include <imgui_stdlib.h>
 
 #include "host/scene/schema/parameter_table.h"
-#include "host/scene/schema/presets.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/ray_overlay.h"
 #include "present/panels/bookmark_panel.h"
 #include "present/panels/outliner.h"
+#include "present/panels/preset_buttons.h"
 #include "present/panels/scene_list_panel.h"
-#include "present/panels/sun_dial.h"
 #include "present/panels/time_graph.h"
 #include "present/panels/value_search.h"
 #include "present/window/key_bindings.h"
@@ -89,6 +88,7 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
     draw_section(scene::section_of(first.key), i + 1);
     ImGui::SameLine();
     const bool is_removed = ImGui::SmallButton("remove");
+    note(draw_presets(state.scene, panel.group, elements[i]), panel, state, edits);
     draw_values(panel, rows, elements[i], state, edits);
     ImGui::PopID();
     if (!is_removed) continue;
@@ -115,33 +115,15 @@ void draw_file_choice(ParameterGroup group, PanelEdits& edits) {
   if (group == ParameterGroup::sea) choice("choose a measured spectrum ...", FileFilter::spectra);
 }
 
-/// The presets of a group, a button each, with the last word of its name.
-void draw_presets(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
-  if (panel.group == ParameterGroup::sun) note(draw_sun_presets(state.scene), panel, state, edits);
-  const auto is_of_group = [&](const scene::Preset& preset) { return preset.group == panel.group; };
-  if (std::ranges::none_of(scene::presets(), is_of_group)) return;
-  ImGui::TextUnformatted("Beaufort");
-  for (const scene::Preset& preset : scene::presets()) {
-    if (!is_of_group(preset)) continue;
-    const std::string label(preset.name.substr(preset.name.rfind('-') + 1));
-    stay_in_line(label.c_str());
-    if (ImGui::SmallButton(fmt::format("{}##{}", label, preset.name).c_str())) {
-      scene::apply(preset, state.scene);
-      note(Edit::done, panel, state, edits);
-    }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.label).c_str());
-  }
-}
-
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
   if (panel.group == ParameterGroup::bookmark) return draw_bookmarks(state, edits);
   draw_file_choice(panel.group, edits);
-  draw_presets(panel, state, edits);
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
   if (rows.front()->section->is_repeated()) {
     draw_elements(panel, rows, state, edits);
   } else {
+    note(draw_presets(state.scene, panel.group), panel, state, edits);
     draw_rows(panel, rows, state, edits);
   }
   if (panel.group == ParameterGroup::camera) {

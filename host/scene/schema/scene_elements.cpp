@@ -137,9 +137,13 @@ std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, Elemen
   return numbers_in(struct_at(&scene, *parameter.section, element), parameter);
 }
 
-void clear_value(Scene& scene, const Parameter& parameter) {
-  copy_value(parameter, default_struct(*parameter.section), struct_at(&scene, *parameter.section, {}));
-  scene.set_at.erase({parameter.key, {}});
+void clear_value(Scene& scene, const Parameter& parameter, ElementIndex element) {
+  copy_value(parameter, default_struct(*parameter.section), struct_at(&scene, *parameter.section, element));
+  const auto is_of_row = [&](const auto& entry) {
+    return entry.first.key == parameter.key && entry.first.element == element;
+  };
+  std::erase_if(scene.set_at, is_of_row);
+  std::erase_if(scene.tracks, is_of_row);
 }
 
 const void* default_struct(const Section& section) {

@@ -25,8 +25,8 @@ void remove_element(Scene& scene, const Section& section, ElementIndex element);
 /// The numbers that a value is made of: one, three, or none where it has no value or is no number.
 std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, ElementIndex element);
 
-/// Gives a row of a section that is not repeated its default, as if nobody had set it.
-void clear_value(Scene& scene, const Parameter& parameter);
+/// Gives a row its default, as if nobody had set it.
+void clear_value(Scene& scene, const Parameter& parameter, ElementIndex element = {});
 
 /// The struct of a section, or of one of its elements, in a scene that says nothing.
 const void* default_struct(const Section& section);

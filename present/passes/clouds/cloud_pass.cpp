@@ -11,7 +11,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, image_unit = 1, distance_unit = 2;
+constexpr int cloud_environment_unit = 0, cloud_image_unit = 1, distance_unit = 2;
 
 ShaderProgram cloud_program() {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
@@ -75,10 +75,10 @@ void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, 
 void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment, AirFrom air_from,
                      LayerLight light) {
   program_.use();
-  bind_sampler(program_, "environment", environment_unit, environment);
-  image_.bind(image_unit);
+  bind_sampler(program_, "environment", cloud_environment_unit, environment);
+  image_.bind(cloud_image_unit);
   distance_.bind(distance_unit);
-  program_.set("cloud_image", image_unit);
+  program_.set("cloud_image", cloud_image_unit);
   program_.set("cloud_distance", distance_unit);
   const sky::Spectrum& depth = air.rayleigh_optical_depth;
   glsl::ViewUniforms view = view_uniforms(camera);

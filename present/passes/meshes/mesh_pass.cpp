@@ -14,7 +14,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, faces_unit = 1, ramp_unit = 2;
+constexpr int mesh_environment_unit = 0, faces_unit = 1, ramp_unit = 2;
 constexpr int depth_behind_unit = 0, light_behind_unit = 1;
 constexpr int light_samples_unit = 0, depth_samples_unit = 1;
 // Samples at steps of 8 cannot be told from a smooth edge; where the CPU draws, each one costs.
@@ -124,7 +124,7 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
       bases_.with({.shading = material.shading, .shows_curvature = request.meshes == MeshShow::curvature});
   base.use();
   lights_.bind(base);
-  bind_sampler(base, "environment", environment_unit, environment);
+  bind_sampler(base, "environment", mesh_environment_unit, environment);
   meshes_[index].geometry.bind_faces(faces_unit);
   base.set("faces", faces_unit);
   const bool is_grey = request.meshes == MeshShow::directions;

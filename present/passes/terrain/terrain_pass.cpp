@@ -13,7 +13,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int image_unit = 0, planes_unit = 1, distances_unit = 2;
+constexpr int terrain_image_unit = 0, planes_unit = 1, distances_unit = 2;
 
 std::vector<ShaderPart> terrain_shaders(std::initializer_list<const char*> last) {
   std::vector<ShaderPart> parts{
@@ -81,9 +81,9 @@ void TerrainPass::prepare(const world::TerrainImage& terrain, const Camera& came
 
 void TerrainPass::bind(const ShaderProgram& program) const {
   program.use();
-  image_.bind(image_unit);
+  image_.bind(terrain_image_unit);
   planes_.bind(planes_unit);
-  program.set("terrain_image", image_unit);
+  program.set("terrain_image", terrain_image_unit);
   program.set("terrain_planes", planes_unit);
   glBindVertexArray(no_vertices_.name());
 }

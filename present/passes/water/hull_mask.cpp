@@ -12,14 +12,14 @@ namespace {
 
 constexpr int channels = 4;
 // Where a map has no hull: higher than any water, so that the rim is below the underside.
-constexpr float nowhere_m = 1e9f;
+constexpr float no_hull_m = 1e9f;
 
 std::vector<float> texels_of(const std::vector<std::shared_ptr<const bodies::HullMap>>& maps) {
   std::vector<float> texels;
   for (const auto& map : maps) {
     for (std::size_t i = 0; i < map->bottom_m.size(); ++i) {
       texels.insert(texels.end(),
-                    {std::min(map->bottom_m[i], nowhere_m), std::max(map->rim_m[i], -nowhere_m), 0.0f, 0.0f});
+                    {std::min(map->bottom_m[i], no_hull_m), std::max(map->rim_m[i], -no_hull_m), 0.0f, 0.0f});
     }
   }
   return texels;

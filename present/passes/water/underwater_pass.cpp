@@ -12,7 +12,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, light_unit = 1, depth_unit = 2;
+constexpr int underwater_environment_unit = 0, light_unit = 1, underwater_depth_unit = 2;
 
 }  // namespace
 
@@ -35,10 +35,10 @@ void UnderwaterPass::draw(const world::World& world, const Camera& camera, const
   target.bind();
   const ShaderProgram& program = programs_.with(dry.cloudy_sky.has_map() ? Sky::cloudy : Sky::clear);
   program.use();
-  bind_sampler(program, "environment", environment_unit, dry.environment);
-  dry.cloudy_sky.bind(environment_unit);
+  bind_sampler(program, "environment", underwater_environment_unit, dry.environment);
+  dry.cloudy_sky.bind(underwater_environment_unit);
   bind_sampler(program, "dry_light", light_unit, dry.light.texture());
-  bind_sampler(program, "dry_depth", depth_unit, dry.light.depth_texture());
+  bind_sampler(program, "dry_depth", underwater_depth_unit, dry.light.depth_texture());
   const WaterLight light = water_light(world);
   glsl::ViewUniforms view = view_uniforms(camera);
   view.haze_perm = haze_perm(world.parameters().atmosphere);

@@ -378,6 +378,22 @@ TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
   EXPECT_LT(largest_difference(before_m, heights_m(1.2, 0.1)), 0.1 * wake_m) << "and none before it";
 }
 
+// Fails if a preset of the list does not set the body that is selected with its hull, in one step of undo.
+TEST_F(WindowObjectsTest, PresetsSetTheSelectedBody) {
+  open(options_of(boat_text));
+  choose_new("boat");
+  ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
+  const std::string before = edited_text();
+  const unsigned block = main_panel()->GetID("properties");
+  const std::string dinghy = "dinghy##hull-dinghy";
+  click(find_item(main_panel(), dinghy, ImHashStr(dinghy.c_str(), 0, block), 120));
+  EXPECT_EQ(state().scene.meshes[0].size_m, 6.0) << message();
+  EXPECT_EQ(state().scene.bodies[0].draught_m, 0.32);
+  EXPECT_EQ(state().scene.bodies[0].thrust_n, 0.0);
+  undo();
+  EXPECT_EQ(edited_text(), before);
+}
+
 // Fails if a new mesh, or one that is moved, sends a boat back to its start.
 TEST_F(WindowObjectsTest, OtherMeshesLeaveBoatsAlone) {
   open(options_of(boat_text));
