@@ -206,6 +206,18 @@ void note_edit(Edit edit, scene::ParameterGroup group, ViewState& state, PanelEd
   }
 }
 
+void draw_view_buttons(ViewState& state, std::size_t bookmark, PanelEdits& edits) {
+  if (ImGui::Button("look through")) {
+    state.message = {.text = go_to_bookmark(state.scene, bookmark + 1, state.scene.view.camera)};
+    edits.is_camera_moved = true;
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("place here")) {
+    state.message = {.text = set_bookmark(state.scene, state.scene.view.camera, bookmark + 1)};
+    edits.scene = Edit::done;
+  }
+}
+
 /// The values of an object but for its name, which the list changes.
 void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& edits) {
   const bool is_body = object.kind == ObjectKind::body;
@@ -213,6 +225,7 @@ void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& ed
       fmt::format("{}###{}", label_of(state.scene, object), is_body ? "body" : "properties");
   if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
   ImGui::PushID("properties");
+  if (object.kind == ObjectKind::bookmark) draw_view_buttons(state, object.index, edits);
   for (const scene::ParameterGroup group : groups_of(object.kind)) {
     note_edit(draw_presets(state.scene, group, {object.index, 0}), group, state, edits);
     for (const scene::Parameter& row : scene::parameter_table()) {

@@ -14,6 +14,7 @@
 
 #include "host/bodies/body_pose.h"
 #include "host/scene/prepare/mesh_motion.h"
+#include "host/scene/prepare/scene_bodies.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/editing/cloud_picker.h"
@@ -33,6 +34,13 @@ constexpr double aim_px = 100.0;
 constexpr std::array aim_handles{ObjectHandle::free};
 constexpr scene::Affects of_objects =
     scene::Affects::meshes | scene::Affects::mesh_looks | scene::Affects::bodies | scene::Affects::lights;
+
+/// What a hand that holds this can change, but for bookmarks.
+scene::Affects affected_by(const SceneObject& held) {
+  if (held.kind == ObjectKind::cloud_layer) return scene::Affects::clouds;
+  if (held.kind == ObjectKind::wake) return scene::Affects::wakes;
+  return of_objects;
+}
 
 /// The mesh that is selected, or that the selected body moves.
 std::optional<std::size_t> selected_mesh(const ViewState& state) {
@@ -96,35 +104,98 @@ double distance_of_ground_m(LiveSea& sea, const Screen& screen, glm::dvec2 clip)
   return ground ? ground->distance_m : none;
 }
 
-/// A light that stands at a place, on the screen.
-struct LightIcon {
-  std::size_t handle;  // which light
+/// A light that stands at a place, or a bookmark, on the screen.
+struct ObjectIcon {
+  SceneObject handle;
   glm::dvec2 place_px;
 };
 /// None while panels are hidden.
-std::vector<LightIcon> light_icons(const ViewState& state, const Screen& screen) {
-  std::vector<LightIcon> icons;
-  for (std::size_t i = 0; state.shows_panels && i < state.scene.lights.size(); ++i) {
-    if (state.scene.lights[i].kind != scene::LightKind::place) continue;
-    if (const std::optional<glm::dvec2> place_px = pixel_of(screen, light_at(state, i).vector))
-      icons.push_back({i, *place_px});
+std::vector<ObjectIcon> object_icons(const ViewState& state, const Screen& screen) {
+  std::vector<ObjectIcon> icons;
+  if (!state.shows_panels) return icons;
+  const auto add = [&](const SceneObject& object, const glm::dvec3& place_m) {
+    if (const std::optional<glm::dvec2> place_px = pixel_of(screen, place_m))
+      icons.push_back({object, *place_px});
+  };
+  for (std::size_t i = 0; i < state.scene.bookmarks.size(); ++i)
+    add({ObjectKind::bookmark, i}, state.scene.bookmarks[i].camera.eye_m);
+  for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
+    if (state.scene.lights[i].kind == scene::LightKind::place)
+      add({ObjectKind::light, i}, light_at(state, i).vector);
   }
   return icons;
 }
 
-void draw_lights(ImDrawList& list, const std::vector<LightIcon>& icons) {
+void draw_light(ImDrawList& list, glm::dvec2 place_px) {
   constexpr ImU32 light_colour = IM_COL32(250, 220, 120, 255);
   constexpr int rays = 8;
-  for (const LightIcon& icon : icons) {
-    list.AddCircleFilled(screen_point(icon.place_px), 5.5f, handle_shade);
-    list.AddCircleFilled(screen_point(icon.place_px), 4.5f, light_colour);
-    for (int ray = 0; ray < rays; ++ray) {
-      const double angle_rad = 2.0 * std::numbers::pi * ray / rays;
-      const glm::dvec2 way(std::cos(angle_rad), std::sin(angle_rad));
-      list.AddLine(screen_point(icon.place_px + 7.0 * way), screen_point(icon.place_px + 10.0 * way),
-                   light_colour, 1.5f);
+  list.AddCircleFilled(screen_point(place_px), 5.5f, handle_shade);
+  list.AddCircleFilled(screen_point(place_px), 4.5f, light_colour);
+  for (int ray = 0; ray < rays; ++ray) {
+    const double angle_rad = 2.0 * std::numbers::pi * ray / rays;
+    const glm::dvec2 way(std::cos(angle_rad), std::sin(angle_rad));
+    list.AddLine(screen_point(place_px + 7.0 * way), screen_point(place_px + 10.0 * way), light_colour, 1.5f);
+  }
+}
+
+/// A camera from the side.
+void draw_bookmark(ImDrawList& list, glm::dvec2 place_px) {
+  constexpr ImU32 camera_colour = IM_COL32(190, 150, 230, 255);
+  const auto at = [&](double x, double y) { return screen_point(place_px + glm::dvec2(x, y)); };
+  list.AddRectFilled(at(-8.0, -5.0), at(4.0, 6.0), handle_shade);
+  list.AddRectFilled(at(-7.0, -4.0), at(3.0, 5.0), camera_colour);
+  list.AddTriangleFilled(at(2.0, 0.5), at(9.0, -5.0), at(9.0, 6.0), camera_colour);
+}
+
+void draw_icons(ImDrawList& list, const std::vector<ObjectIcon>& icons) {
+  for (const ObjectIcon& icon : icons) {
+    if (icon.handle.kind == ObjectKind::light) {
+      draw_light(list, icon.place_px);
+    } else {
+      draw_bookmark(list, icon.place_px);
     }
   }
+}
+
+/// The square that a layer of clouds or a wake window is.
+std::optional<Sphere> square_of(const ViewState& state, const LiveSea& sea) {
+  const std::optional<SceneObject> object = selected_object(state);
+  if (!object || (object->kind != ObjectKind::cloud_layer && object->kind != ObjectKind::wake)) return {};
+  const double time_s = state.clock.time_s();
+  if (const std::optional<Sphere> place = place_of(state.scene, *object, time_s)) return place;
+  const scene::WakeScene& wake = state.scene.ocean.wakes[object->index];
+  if (wake.centre != scene::WakeCentre::body || sea.bodies() == nullptr) return {};
+  const std::size_t body = scene::followed_body(state.scene, object->index);
+  if (body >= sea.bodies()->size()) return {};
+  const bodies::BodyPose pose = sea.bodies()->pose(body, time_s);
+  const double heading_rad = bodies::heading_of(pose);
+  const glm::dvec3 ahead(std::cos(heading_rad), 0.0, std::sin(heading_rad));
+  const glm::dvec3 middle_m = pose.mass_centre_m - wake.behind_m * ahead;
+  return Sphere{{middle_m.x, 0.0, middle_m.z}, 0.5 * wake.parameters.length_m};
+}
+
+/// Level, along the world's axes.
+void draw_square(ImDrawList& list, const Screen& screen, const Sphere& square) {
+  constexpr std::array<glm::dvec2, 5> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
+  constexpr int parts = 32;  // of a side, of which some may be behind the eye
+  std::optional<glm::dvec2> last_px;
+  for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
+    for (int part = 0; part <= parts; ++part) {
+      const double share = 1.0 * part / parts;
+      const glm::dvec2 way_m = square.radius_m * ((1.0 - share) * corners[side] + share * corners[side + 1]);
+      const auto now_px = pixel_of(screen, square.centre_m + glm::dvec3(way_m.x, 0.0, way_m.y));
+      if (last_px && now_px) {
+        list.AddLine(screen_point(*last_px), screen_point(*now_px), handle_shade, 2.5f);
+        list.AddLine(screen_point(*last_px), screen_point(*now_px), selected_colour, 1.0f);
+      }
+      last_px = now_px;
+    }
+  }
+}
+
+HandleSet handles_of(ObjectKind kind) {
+  if (kind == ObjectKind::bookmark) return camera_handles();
+  return kind == ObjectKind::wake ? water_handles() : sphere_handles();
 }
 
 }  // namespace
@@ -139,11 +210,23 @@ std::optional<HeldPlace> held_place(const ViewState& state, const LiveSea& sea, 
                      floats ? floating_handles() : mesh_handles()};
   }
   const std::optional<std::size_t> light = selected_light(state);
-  if (!light) return {};
+  if (!light) {
+    const std::optional<SceneObject> object = selected_object(state);
+    const auto place = object ? place_of(state.scene, *object, state.clock.time_s()) : std::nullopt;
+    if (!place) return {};
+    return HeldPlace{*place, handles_of(object->kind)};
+  }
   const highlights::Source source = light_at(state, *light);
   if (source.kind == highlights::Source::Kind::place) return HeldPlace{{source.vector, 0.0}, place_handles()};
   const glm::dvec3 tip_m = aim_from_m(screen) + aim_length_m(screen) * glm::normalize(source.vector);
   return HeldPlace{{tip_m, 0.0}, aim_handles, true};
+}
+
+/// All that the hand has changed.
+void ObjectEditor::take_back(const Grab& grab, scene::Scene& scene) {
+  const auto* object = std::get_if<SceneObject>(&grab.held);
+  scene::take_values(object != nullptr ? affected_by(*object) : of_objects, grab.before, scene);
+  if (object != nullptr && object->kind == ObjectKind::bookmark) scene.bookmarks = grab.before.bookmarks;
 }
 
 void ObjectEditor::let_go() {
@@ -185,7 +268,7 @@ void ObjectEditor::press(ViewState& state, LiveSea& sea, const Screen& screen, g
       grab.held = held;
     }
   } else {
-    grab.held = *selected_light(state);
+    grab.held = *selected_object(state);
   }
   grab_ = std::move(grab);
 }
@@ -208,26 +291,27 @@ Edit ObjectEditor::pull(ViewState& state, LiveSea& sea, const Screen& screen, gl
   }
   grab.at = clip;
   grab.pull = pulled;
-  scene::take_values(of_objects, grab.before, state.scene);
+  take_back(grab, state.scene);
   if (const auto* mesh = std::get_if<HeldMesh>(&grab.held)) pull_mesh(state.scene, *mesh, pulled);
   if (const auto* body = std::get_if<HeldBody>(&grab.held)) pull_body(state.scene, *body, pulled);
-  if (const auto* light = std::get_if<std::size_t>(&grab.held)) {
-    if (grab.aims) {
-      aim_light(state.scene, *light, aim_before, aim_after);
-    } else {
-      pull_light(state.scene, *light, pulled);
-    }
+  const auto* object = std::get_if<SceneObject>(&grab.held);
+  if (object != nullptr && grab.aims) {
+    aim_light(state.scene, object->index, aim_before, aim_after);
+  } else if (object != nullptr) {
+    pull_place(state.scene, *object, grab.sphere, pulled);
   }
-  // Bodies begin anew with each edit; and a large mesh would hold up the hand.
+  // Bodies begin anew with each edit, and so do clouds and wakes; a large mesh would hold up the hand.
   constexpr double quick_s = 0.1;
-  if (std::holds_alternative<HeldBody>(grab.held) || sea.edit_s() > quick_s) return Edit::none;
+  const bool is_light = object != nullptr && object->kind == ObjectKind::light;
+  const bool is_slow = !is_light && !std::holds_alternative<HeldMesh>(grab.held);
+  if (is_slow || sea.edit_s() > quick_s) return Edit::none;
   grab.is_shown = true;
   return Edit::going_on;
 }
 
 void ObjectEditor::select_at(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
-  if (const auto light = handle_near(light_icons(state, screen), pixel_of_clip(screen, clip)))
-    return select_object(state, {ObjectKind::light, *light});
+  if (const auto object = handle_near(object_icons(state, screen), pixel_of_clip(screen, clip)))
+    return select_object(state, *object);
   const std::optional<MeshHit> hit = picker_.hit(sea.meshes(), screen.camera, clip);
   if (hit && hit->distance_m < distance_of_ground_m(sea, screen, clip)) {
     const bool is_again = selected_mesh(state) == hit->mesh;
@@ -258,7 +342,7 @@ Edit ObjectEditor::release(ViewState& state, LiveSea& sea, const Screen& screen,
   pull(state, sea, screen, event.clip, snaps);
   const Grab grab = *std::exchange(grab_, std::nullopt);
   if (grab.at != grab.from && !is_click) return Edit::done;
-  scene::take_values(of_objects, grab.before, state.scene);
+  take_back(grab, state.scene);
   // Handles lie over what they move.
   if (is_click) select_at(state, sea, screen, event.clip);
   return grab.is_shown ? Edit::taken_back : Edit::none;
@@ -322,7 +406,8 @@ void ObjectEditor::draw_box(const LiveSea& sea, const Screen& screen, std::size_
 
 void ObjectEditor::draw(const ViewState& state, const LiveSea& sea, const Screen& screen) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  draw_lights(list, light_icons(state, screen));
+  draw_icons(list, object_icons(state, screen));
+  if (const std::optional<Sphere> square = square_of(state, sea)) draw_square(list, screen, *square);
   const std::optional<HeldPlace> place = held_place(state, sea, screen);
   if (!place) return;
   if (const std::optional<std::size_t> mesh = selected_mesh(state)) draw_box(sea, screen, *mesh);

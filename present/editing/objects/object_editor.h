@@ -14,9 +14,9 @@
 
 namespace offing::present {
 
-/// Selects meshes, lights and clouds with the mouse, and moves, turns and resizes meshes, bodies and lights
-/// by handles that are drawn over the picture. All edits go into the scene of the state; the world shows them
-/// once the scene is applied.
+/// Selects meshes, lights, bookmarks and clouds with the mouse, and moves, turns and resizes meshes, bodies,
+/// lights, layers of clouds, wake windows and bookmarks by handles that are drawn over the picture. All edits
+/// go into the scene of the state; the world shows them once the scene is applied.
 class ObjectEditor {
  public:
   /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
@@ -38,7 +38,7 @@ class ObjectEditor {
   struct Grab {
     ObjectHandle handle;
     Sphere sphere;
-    std::variant<HeldMesh, HeldBody, std::size_t> held;  // or a light
+    std::variant<HeldMesh, HeldBody, SceneObject> held;  // or what has a place alone
     bool aims = false;                                   // a light of a direction
     highlights::RigidMotion world;                       // of a mesh
     glm::dvec2 from{0.0};                                // in clip coordinates
@@ -52,6 +52,7 @@ class ObjectEditor {
     glm::dvec3 low_m, high_m;
   };
 
+  static void take_back(const Grab& grab, scene::Scene& scene);
   void press(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip);
   Edit release(ViewState& state, LiveSea& sea, const Screen& screen, const PointerEvent& event, bool snaps);
   Edit pull(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip, bool snaps);
@@ -65,8 +66,8 @@ class ObjectEditor {
   std::optional<Box> box_;             // of the mesh that was selected last
 };
 
-/// What has handles, where they are and which: the selected mesh, body or light. Nothing where a highlight of
-/// the mesh is picked, which has its own.
+/// What has handles, where they are and which: the selected object, if it can be moved. Nothing where a
+/// highlight of the mesh is picked, which has its own.
 struct HeldPlace {
   Sphere sphere;
   HandleSet handles;

@@ -10,6 +10,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "host/clouds/shape/genera.h"
+#include "host/scene/model/moving_number.h"
 #include "present/editing/objects/pushed_value.h"
 
 namespace offing::present {
@@ -93,10 +95,60 @@ void pull_body(Scene& scene, const HeldBody& held, const ObjectPull& pull) {
   multiply("body.rudder_m2", body.rudder_m2, ratio * ratio);
 }
 
-void pull_light(Scene& scene, std::size_t light, const ObjectPull& pull) {
-  push_value(scene, "light.x_m", {light, 0}, pull.way_m.x);
-  push_value(scene, "light.y_m", {light, 0}, pull.way_m.y);
-  push_value(scene, "light.z_m", {light, 0}, pull.way_m.z);
+std::optional<Sphere> place_of(const Scene& scene, const SceneObject& object, double time_s) {
+  switch (object.kind) {
+    case ObjectKind::cloud_layer: {
+      const scene::CloudLayerScene& layer = scene.cloud_layers[object.index];
+      const double usual_m = clouds::preset(layer.genus).position_m.y;
+      return Sphere{{layer.x_m, layer.altitude_m.value_or(usual_m), layer.z_m}, 0.5 * layer.extent_m};
+    }
+    case ObjectKind::wake: {
+      const scene::WakeScene& wake = scene.ocean.wakes[object.index];
+      if (wake.centre != scene::WakeCentre::place) return {};
+      const scene::ElementIndex element{object.index, 0};
+      return Sphere{{scene::MovingNumber(scene, {"ocean.wake.x_m", element}, wake.x_m).at(time_s), 0.0,
+                     scene::MovingNumber(scene, {"ocean.wake.z_m", element}, wake.z_m).at(time_s)},
+                    0.5 * wake.parameters.length_m};
+    }
+    case ObjectKind::bookmark:
+      return Sphere{scene.bookmarks[object.index].camera.eye_m, 0.0};
+    default:
+      return {};
+  }
+}
+
+void pull_place(Scene& scene, const SceneObject& object, const Sphere& held, const ObjectPull& pull) {
+  const scene::ElementIndex element{object.index, 0};
+  const auto push = [&](const char* key, double way_m) { push_value(scene, key, element, way_m); };
+  switch (object.kind) {
+    case ObjectKind::cloud_layer: {
+      scene::CloudLayerScene& layer = scene.cloud_layers[object.index];
+      push("cloud_layer.x_m", pull.way_m.x);
+      push("cloud_layer.z_m", pull.way_m.z);
+      if (pull.way_m.y != 0.0)
+        layer.altitude_m = within_range("cloud_layer.y_m", held.centre_m.y + pull.way_m.y);
+      layer.extent_m = within_range("cloud_layer.extent_m", pull.ratio * layer.extent_m);
+      break;
+    }
+    case ObjectKind::wake: {
+      double& length_m = scene.ocean.wakes[object.index].parameters.length_m;
+      push("ocean.wake.x_m", pull.way_m.x);
+      push("ocean.wake.z_m", pull.way_m.z);
+      length_m = within_range("ocean.wake.length_m", pull.ratio * length_m);
+      break;
+    }
+    case ObjectKind::bookmark:
+      push("bookmark.x_m", pull.way_m.x);
+      push("bookmark.y_m", pull.way_m.y);
+      push("bookmark.z_m", pull.way_m.z);
+      // It grows clockwise, seen from above.
+      turn_value(scene, "bookmark.yaw_deg", element, -pull.turn_rad.y);
+      break;
+    default:
+      push("light.x_m", pull.way_m.x);
+      push("light.y_m", pull.way_m.y);
+      push("light.z_m", pull.way_m.z);
+  }
 }
 
 void aim_light(Scene& scene, std::size_t light, const glm::dvec3& from, const glm::dvec3& to) {

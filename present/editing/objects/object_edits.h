@@ -8,6 +8,7 @@
 #include "host/highlights/search/lighting.h"
 #include "host/scene/model/scene.h"
 #include "present/editing/objects/object_handles.h"
+#include "present/editing/objects/scene_objects.h"
 
 namespace offing::present {
 
@@ -42,8 +43,11 @@ struct HeldBody {
 /// and rudder.
 void pull_body(scene::Scene& scene, const HeldBody& held, const ObjectPull& pull);
 
-/// Moves a light that stands at a place.
-void pull_light(scene::Scene& scene, std::size_t light, const ObjectPull& pull);
+/// Where an object is that the scene alone places, and how large: a cloud layer, a wake window whose centre
+/// is a place, both squares of twice the radius, or a bookmark. Nothing for all others.
+std::optional<Sphere> place_of(const scene::Scene& scene, const SceneObject& object, double time_s);
+/// Moves, resizes and turns one of them, or a light that stands at a place; `held` is where it was.
+void pull_place(scene::Scene& scene, const SceneObject& object, const Sphere& held, const ObjectPull& pull);
 /// Turns a light of a direction from one direction to another (unit vectors toward it), along with its
 /// keyframes.
 void aim_light(scene::Scene& scene, std::size_t light, const glm::dvec3& from, const glm::dvec3& to);

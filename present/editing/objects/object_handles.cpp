@@ -19,6 +19,9 @@ constexpr std::array all_handles{ObjectHandle::x,       ObjectHandle::y,       O
                                  ObjectHandle::turn_y,  ObjectHandle::turn_z};
 constexpr std::array handles_afloat{ObjectHandle::x, ObjectHandle::z, ObjectHandle::plane_y,
                                     ObjectHandle::radius, ObjectHandle::turn_y};
+constexpr std::array handles_of_camera{ObjectHandle::x,       ObjectHandle::y,       ObjectHandle::z,
+                                       ObjectHandle::plane_x, ObjectHandle::plane_y, ObjectHandle::plane_z,
+                                       ObjectHandle::free,    ObjectHandle::turn_y};
 
 glm::dvec3 unit(int axis) {
   glm::dvec3 result(0.0);
@@ -72,6 +75,12 @@ HandleSet mesh_handles() {
 }
 HandleSet floating_handles() {
   return handles_afloat;
+}
+HandleSet water_handles() {
+  return HandleSet(handles_afloat).first(4);
+}
+HandleSet camera_handles() {
+  return handles_of_camera;
 }
 
 std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const Sphere& sphere,

@@ -17,11 +17,14 @@ enum class ObjectHandle { x, y, z, plane_x, plane_y, plane_z, free, radius, turn
 /// Which of them an object has.
 using HandleSet = std::span<const ObjectHandle>;
 /// Of what is moved and resized, such as a ball of a cloud; of what is only moved, such as particles; of what
-/// is turned too, such as a mesh; and of what stays upright on the water.
+/// is turned too, such as a mesh; of what stays upright on the water, or is a square of it; and of what
+/// stands somewhere and looks around, such as a camera.
 HandleSet sphere_handles();
 HandleSet place_handles();
 HandleSet mesh_handles();
 HandleSet floating_handles();
+HandleSet water_handles();
+HandleSet camera_handles();
 
 struct ObjectHandlePlace {
   ObjectHandle handle;

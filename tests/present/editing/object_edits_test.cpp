@@ -107,6 +107,48 @@ x_m = 1
   EXPECT_EQ(*body.draught_m, 1.2);
 }
 
+// Fails if a layer, a wake window or a bookmark goes elsewhere than the hand, a layer at the height of its
+// genus begins at another one, or one that moves sideways gets a height of its own.
+TEST(ObjectEditsTest, PlacesGoWithTheHand) {
+  scene::Scene scene = objects_scene(R"(
+[[cloud_layer]]
+genus = "cumulus"
+x_m = 10
+extent_m = 4000
+[[ocean.wake]]
+centre = "place"
+x_m = { keys = [{ t = 0, value = 0 }, { t = 10, value = 20 }] }
+length_m = 100
+[[ocean.wake]]
+centre = "camera"
+[[bookmark]]
+x_m = 1
+y_m = 2
+yaw_deg = 30
+)");
+  const SceneObject layer{ObjectKind::cloud_layer, 0}, wake{ObjectKind::wake, 0},
+      view{ObjectKind::bookmark, 0};
+  const ObjectPull sideways{.way_m = {100.0, 0.0, -50.0}, .ratio = 1.5},
+      all{.way_m = {1.0, 300.0, 0.0}, .turn_rad = {0.0, 0.25, 0.0}};
+  for (const ObjectPull& pull : {sideways, all}) {
+    for (const SceneObject& object : {layer, wake, view}) {
+      const Sphere before = *place_of(scene, object, 5.0);
+      pull_place(scene, object, before, pull);
+      glm::dvec3 way_m = pull.way_m;
+      if (object == wake) way_m.y = 0.0;
+      const Sphere after = *place_of(scene, object, 5.0);
+      EXPECT_LE(glm::distance(after.centre_m, before.centre_m + way_m), 1e-9);
+      EXPECT_NEAR(after.radius_m, pull.ratio * before.radius_m, 1e-9);
+      if (object != layer) continue;
+      EXPECT_EQ(scene.cloud_layers[0].altitude_m.has_value(), pull.way_m.y != 0.0);
+    }
+  }
+  EXPECT_NEAR(scene.bookmarks[0].camera.yaw_rad, std::numbers::pi / 6.0 - 0.25, 1e-12);
+  EXPECT_FALSE(place_of(scene, {ObjectKind::wake, 1}, 5.0)) << "it is about the camera";
+  pull_place(scene, layer, *place_of(scene, layer, 0.0), {.way_m = {0.0, 1e9, 0.0}});
+  EXPECT_EQ(scene.cloud_layers[0].altitude_m, 50e3) << "the end of its range";
+}
+
 // Fails if a light of a direction does not stand where it was aimed, or one of a place where it was brought.
 TEST(ObjectEditsTest, LightsAreAimedAndMoved) {
   scene::Scene scene = objects_scene(
@@ -115,7 +157,7 @@ TEST(ObjectEditsTest, LightsAreAimedAndMoved) {
   const glm::dvec3 wanted = glm::normalize(glm::dvec3(0.3, -0.2, 0.9));
   aim_light(scene, 0, before, wanted);
   EXPECT_LE(glm::distance(scene::lights_at(scene, 0.0)[0].source.vector, wanted), 1e-9);
-  pull_light(scene, 1, {.way_m = {1.0, 2.0, -4.0}});
+  pull_place(scene, {ObjectKind::light, 1}, {}, {.way_m = {1.0, 2.0, -4.0}});
   EXPECT_LE(glm::distance(scene::lights_at(scene, 0.0)[1].source.vector, glm::dvec3(1.0, 5.0, -4.0)), 1e-12);
 }
 

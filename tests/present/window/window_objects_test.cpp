@@ -18,6 +18,7 @@
 #include "host/scene/file/scene_file.h"
 #include "host/scene/schema/parameter_table.h"
 #include "present/editing/objects/object_editor.h"
+#include "present/editing/objects/object_edits.h"
 #include "present/editing/objects/selection.h"
 #include "present/panels/outliner.h"
 #include "present/panels/parameter_widget.h"
@@ -29,6 +30,7 @@ namespace {
 using present::ObjectHandle;
 using present::ObjectKind;
 using present::SceneObject;
+using present::Sphere;
 using ::testing::HasSubstr;
 
 // The picture of a window of 480 pixels shows nothing but its right end beside the panel: the spheres stand
@@ -306,6 +308,69 @@ TEST_F(WindowObjectsTest, HandlesMoveLights) {
   EXPECT_EQ(way_m.x, 0.0);
   undo();
   EXPECT_EQ(state().scene.lights[0].place_m, place_m);
+}
+
+// Fails if a hand does not bring a layer of clouds, a wake window or a bookmark where it lets go, the world
+// has another one then, or a pull is not one step of undo.
+TEST_F(WindowObjectsTest, HandlesMoveLayersWakesAndBookmarks) {
+  // Clouds that cover nothing are quick to make.
+  const std::string places =
+      "[[cloud_layer]]\ncoverage = 0\nextent_m = 100\ny_m = 1\n[[ocean.wake]]\ncentre = \"place\"\nlength_m "
+      "= 3\n"
+      "cells = 16\nhistory_s = 0\n[[bookmark]]\ny_m = 1\nz_m = 1\n";
+  open(options_of((std::string(objects_text) + "[ocean]\nsize = 32\n" + places).c_str()));
+  const std::string before = edited_text();
+  for (const SceneObject object :
+       {SceneObject{ObjectKind::cloud_layer, 0}, {ObjectKind::wake, 0}, {ObjectKind::bookmark, 0}}) {
+    click(row(object));
+    ASSERT_EQ(selected(), object);
+    press("Tab");
+    glfwSetWindowSize(viewer_->window(), 400, 300);
+    turn(4);
+    const Sphere held = *present::place_of(state().scene, object, 0.0);
+    const glm::dvec2 arrow_px = handle_px(ObjectHandle::x);
+    pull(arrow_px, arrow_px + glm::dvec2(1.0 / present::pixel_m(screen(), held.centre_m), 0.0));
+    const glm::dvec3 way_m = present::place_of(state().scene, object, 0.0)->centre_m - held.centre_m;
+    EXPECT_NEAR(way_m.x, 1.0, 0.1);
+    EXPECT_LE(std::hypot(way_m.y, way_m.z), 1e-9);
+    EXPECT_EQ(present::place_of(viewer_->sea().wanted(), object, 0.0)->centre_m, held.centre_m + way_m);
+    undo();
+    EXPECT_EQ(edited_text(), before);
+    press("Tab");
+    glfwSetWindowSize(viewer_->window(), 1000, 700);
+    turn(4);
+  }
+}
+
+// Fails if a bookmark cannot be selected where it stands, its buttons do not go there and set it, or an icon
+// is drawn without the panels.
+TEST_F(WindowObjectsTest, BookmarksAreCameras) {
+  open(options_of((std::string(objects_text) + "[[bookmark]]\nx_m = 1.4\ny_m = 1\nz_m = 1\n").c_str()));
+  press("Tab");
+  glfwSetWindowSize(viewer_->window(), 1000, 300);
+  turn(4);
+  const Spot place = spot_of(state().scene.bookmarks[0].camera.eye_m);
+  click(place);
+  EXPECT_FALSE(selected());
+  press("Tab");
+  turn(2);
+  click(place);
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::bookmark, 0}));
+  glfwSetWindowSize(viewer_->window(), 480, 1000);
+  turn(4);
+  const unsigned block = main_panel()->GetID("properties");
+  const auto press_button = [&](const char* label, int x_px) {
+    click(find_item(main_panel(), label, ImHashStr(label, 0, block), x_px));
+  };
+  const glm::dvec3 eye_m = state().camera.camera().eye_m;
+  press_button("look through", 40);
+  EXPECT_EQ(state().camera.camera().eye_m, state().scene.bookmarks[0].camera.eye_m);
+  press("Home");
+  EXPECT_EQ(state().camera.camera().eye_m, eye_m);
+  press_button("place here", 150);
+  EXPECT_EQ(state().scene.bookmarks[0].camera.eye_m, eye_m);
+  undo();
+  EXPECT_EQ(state().scene.bookmarks[0].camera.eye_m.x, 1.4);
 }
 
 // Fails if a new shape is not in the picture, cannot be selected where it is seen, or is not one step of
