@@ -78,6 +78,13 @@ std::vector<scene::Row<ViewOptions>> picture_rows() {
             .high = 1.0,
             .help = "scale of the picture that a window draws and shows enlarged; less is faster",
             .example = "0.5"}},
+          {&ViewOptions::ui_scale,
+           {.key = "ui_scale",
+            .low = 1.0,
+            .high = 3.0,
+            .help = "scale of a window's panels and letters",
+            .example = "2",
+            .absent = "the display's scale"}},
           {&ViewOptions::time_s, time_facts("time to show", "the scene's start")},
           {scene::choice(&ViewOptions::highlights, {"shown", "hidden", "only", "unobstructed"}),
            {.key = "highlights",
@@ -118,7 +125,8 @@ void add_options(CLI::App& app, Written& written) {
   app.add_flag("--window", written.is_window, "open a window also when recording (--record, --video)")
       ->group(pictures);
   app.add_option("--size", written.size,
-                 "size of the picture or window (default 1280x720)\nby default, a window that the CPU draws "
+                 "size of the picture or window (default 1280x720, or the last size of a window)\nby "
+                 "default, a window that the CPU draws "
                  "shows a smaller picture, enlarged")
       ->type_name("WxH")
       ->group(pictures);
@@ -267,6 +275,10 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   if (written.view.is_given("--render-scale")) {
     throw bad_argument("--render-scale", "a window without a recording", "pictures in files",
                        "--size sets their size");
+  }
+  if (options.ui_scale) {
+    throw bad_argument("--ui-scale", "a window without a recording", "pictures in files",
+                       "only windows have panels");
   }
   if (written.is_paused) {
     refuse("--paused: expected a window without a recording, found none",

@@ -53,8 +53,9 @@ struct ViewOptions {
   bool opens_window = true;
   std::optional<ImageSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;
-  std::optional<double> kept_hz;  ///< frames a second that a window keeps; absent: what suits the machine
-  double render_scale = 1.0;      ///< of a window to begin with: ViewState::render_scale
+  std::optional<double> kept_hz;   ///< frames a second that a window keeps; absent: what suits the machine
+  double render_scale = 1.0;       ///< of a window to begin with: ViewState::render_scale
+  std::optional<double> ui_scale;  ///< of panels and letters of a window; absent: the display's
   double time_s = 0.0;
   bool starts_paused = false;    ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none

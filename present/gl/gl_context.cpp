@@ -196,6 +196,7 @@ GlContext GlContext::window(const WindowSettings& settings) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // frames are drawn elsewhere and copied
+    glfwWindowHint(GLFW_MAXIMIZED, settings.is_maximised ? GLFW_TRUE : GLFW_FALSE);
     state->window =
         glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
     if (state->window) break;

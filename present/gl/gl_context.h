@@ -25,6 +25,7 @@ struct GlCapabilities {
 struct WindowSettings {
   std::string title = "Offing";
   int width = 1280, height = 720;
+  bool is_maximised = false;
 };
 
 /// An OpenGL core context of version 4.5, 4.1 or 3.3, the highest that there is, current on the thread that

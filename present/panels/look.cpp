@@ -21,6 +21,12 @@ namespace {
 // Of the letters that ImGui's own sizes are made for.
 constexpr float imgui_text_px = 13.0f;
 
+int window_side(const std::string& value, int usual) {
+  constexpr int least = 200, most = 16'384;
+  const int read = std::atoi(value.c_str());
+  return read > 0 ? std::clamp(read, least, most) : usual;
+}
+
 }  // namespace
 
 Look read_look(const std::filesystem::path& file) {
@@ -34,6 +40,9 @@ Look read_look(const std::filesystem::path& file) {
     };
     if (name == "text_scale")
       look.text_scale = number(text_scales.front(), text_scales.back(), look.text_scale);
+    if (name == "window_width") look.window.width = window_side(value, look.window.width);
+    if (name == "window_height") look.window.height = window_side(value, look.window.height);
+    if (name == "maximised") look.window.is_maximised = value == "yes";
     if (name == "panel_em") look.panel_em = number(least_panel_em, most_panel_em, look.panel_em);
   }
   return look;
@@ -45,8 +54,10 @@ void write_look(const std::filesystem::path& file, const Look& look) {
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
     write_file_atomically(
-        file, fmt::format("theme {}\ntext_scale {}\npanel_em {}\n",
-                          theme_names[static_cast<std::size_t>(look.theme)], look.text_scale, look.panel_em));
+        file,
+        fmt::format("theme {}\ntext_scale {}\npanel_em {}\nwindow_width {}\nwindow_height {}\nmaximised {}\n",
+                    theme_names[static_cast<std::size_t>(look.theme)], look.text_scale, look.panel_em,
+                    look.window.width, look.window.height, look.window.is_maximised ? "yes" : "no"));
   } catch (const Error& error) {
     spdlog::debug("{}", error.what());
   }

@@ -8,11 +8,20 @@ namespace offing::present {
 enum class Theme { dark, light };
 inline constexpr std::array<const char*, 2> theme_names{"dark", "light"};
 
-/// How panels look, as far as the user chooses it and windows remember it.
+/// How large a window is, in its system's units.
+struct WindowExtent {
+  int width = 1280, height = 720;  ///< while it is not maximised
+  bool is_maximised = false;
+
+  bool operator==(const WindowExtent&) const = default;
+};
+
+/// How the window and its panels look, as far as the user chooses it and windows remember it.
 struct Look {
   Theme theme = Theme::dark;
   float text_scale = 1.0f;  ///< on top of the monitor's scale
   float panel_em = 25.0f;   ///< width of the main panel, in heights of its letters
+  WindowExtent window = {};
 
   bool operator==(const Look&) const = default;
 };

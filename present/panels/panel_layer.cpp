@@ -17,7 +17,6 @@ namespace {
 
 constexpr float usual_text_px = 16.0f;
 
-/// How many of the window's units one of a usual monitor is.
 float monitor_scale(GLFWwindow* window) {
   if (window == nullptr) return 1.0f;
   float scale = 1.0f, ignored = 1.0f;
@@ -32,7 +31,7 @@ float monitor_scale(GLFWwindow* window) {
 
 }  // namespace
 
-PanelLayer::PanelLayer(GLFWwindow* window) : window_(window) {
+PanelLayer::PanelLayer(GLFWwindow* window, std::optional<double> scale) : window_(window), scale_(scale) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   const bool has_events = window == nullptr || ImGui_ImplGlfw_InitForOpenGL(window, true);
@@ -59,8 +58,12 @@ bool PanelLayer::is_in_use() const {
   return ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || has_waiting_input();
 }
 
+float PanelLayer::scale() const {
+  return scale_ ? static_cast<float>(*scale_) : monitor_scale(window_);
+}
+
 void PanelLayer::set_look(const Look& look) {
-  const float text_px = usual_text_px * look.text_scale * monitor_scale(window_);
+  const float text_px = usual_text_px * look.text_scale * scale();
   if (look_ == look && text_px_ == text_px) return;
   look_ = look;
   text_px_ = text_px;

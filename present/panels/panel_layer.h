@@ -14,8 +14,9 @@ namespace offing::present {
 class PanelLayer {
  public:
   /// With a window, events reach the panels after the callbacks that it has already; nullptr: no events but
-  /// those that a test feeds. No file remembers where panels were.
-  explicit PanelLayer(GLFWwindow* window);
+  /// those that a test feeds. No file remembers where panels were. `scale`: of panels and letters; absent:
+  /// that of the window's monitor.
+  explicit PanelLayer(GLFWwindow* window, std::optional<double> scale = {});
   PanelLayer(const PanelLayer&) = delete;
   PanelLayer& operator=(const PanelLayer&) = delete;
   ~PanelLayer();
@@ -26,6 +27,8 @@ class PanelLayer {
   bool close_popups();
   /// Whether an item is held or takes text, which panels then have to follow without input too.
   bool is_in_use() const;
+  /// How many of the window's units one of a usual monitor is.
+  float scale() const;
   /// Letters and colours of the frames from here on.
   void set_look(const Look& look);
   void begin();
@@ -36,6 +39,7 @@ class PanelLayer {
 
  private:
   GLFWwindow* window_;
+  std::optional<double> scale_;
   PanelFonts fonts_;
   std::optional<Look> look_;
   float text_px_ = 0.0f;

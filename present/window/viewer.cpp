@@ -72,13 +72,11 @@ void FrameLimiter::wait(double frames_per_second) {
 Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
     : options_(options),
       cancel_(cancel),
-      context_(GlContext::window({.title = title(options),
-                                  .width = options.size.value_or(ImageSize{}).width,
-                                  .height = options.size.value_or(ImageSize{}).height})),
-      input_(window()),
-      panels_(window()),
-      start_screen_(window(), panels_),
       kept_look_(read_look(state_file("look"))),
+      context_(GlContext::window(window_settings(options, kept_look_.window))),
+      input_(window()),
+      panels_(window(), options.ui_scale),
+      start_screen_(window(), panels_),
       enlarge_(context_.capabilities()),
       control_(start_level(options, context_.capabilities())),
       sea_(context_, sea_settings(), options.scene),
@@ -102,6 +100,16 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
   if (options.recording) recorder_.emplace(*options.recording);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_path()));
+}
+
+Viewer::~Viewer() {
+  WindowExtent& extent = state_.look.window;
+  const auto has = [&](int attribute) { return glfwGetWindowAttrib(window(), attribute) == GLFW_TRUE; };
+  if (keeps_size() && glfwGetWindowMonitor(window()) == nullptr && !has(GLFW_ICONIFIED)) {
+    extent.is_maximised = has(GLFW_MAXIMIZED);
+    if (!extent.is_maximised) glfwGetWindowSize(window(), &extent.width, &extent.height);
+  }
+  if (state_.look != kept_look_) write_look(state_file("look"), state_.look);
 }
 
 LiveSeaSettings Viewer::sea_settings() {

@@ -55,6 +55,10 @@ class Viewer {
  public:
   /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
   Viewer(const ViewOptions& options, const CancelToken& cancel);
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+  /// Remembers how large the window is.
+  ~Viewer();
 
   /// Input, time, picture, panels: one frame. Where nothing is left to draw it waits for input, a quarter of
   /// a second at most. False once the user has quit, or the last frame of a recording is written.
@@ -86,6 +90,8 @@ class Viewer {
   void take_screenshot();
   double most_frames_hz() const;
   LiveSeaSettings sea_settings();
+  /// Whether the window has the size that the user leaves it in.
+  bool keeps_size() const { return !options_.size && !options_.recording; }
   void take_events();
   /// What a turn has drawn of the scene; panels are drawn with each, and now and then with nothing.
   enum class Drawn { nothing, moving, refined };
@@ -115,11 +121,11 @@ class Viewer {
 
   ViewOptions options_;
   const CancelToken& cancel_;
+  Look kept_look_;  // as it is remembered
   GlContext context_;
   WindowInput input_;
   PanelLayer panels_;
   StartScreen start_screen_;
-  Look kept_look_;  // as it is remembered
   EnlargePass enlarge_;
   QualityControl control_;
   LiveSea sea_;

@@ -19,6 +19,15 @@ std::string title(const ViewOptions& options) {
   return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
 }
 
+WindowSettings window_settings(const ViewOptions& options, const WindowExtent& last) {
+  const bool is_last = !options.size && !options.recording;
+  const ImageSize size = options.size.value_or(ImageSize{});
+  return {.title = title(options),
+          .width = is_last ? last.width : size.width,
+          .height = is_last ? last.height : size.height,
+          .is_maximised = is_last && last.is_maximised};
+}
+
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
                              const CancelToken& cancel, const Quality& quality) {
   const Detail usual = capabilities.is_software ? Detail::low : Detail::high;

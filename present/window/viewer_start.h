@@ -15,6 +15,8 @@ ListedScene listed(const ViewOptions& options);
 /// What a scene is first saved as.
 std::string first_save_name(const std::string& scene_name);
 std::string title(const ViewOptions& options);
+/// As large as the options say, else as the last window was left; as usual for a recording.
+WindowSettings window_settings(const ViewOptions& options, const WindowExtent& last);
 /// `quality`: of the first picture.
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
                              const CancelToken& cancel, const Quality& quality);

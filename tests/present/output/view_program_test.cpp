@@ -243,6 +243,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--keep-fps", "20", "-o", path("refused.png")}, "--keep-fps: expected a window");
   refused({scene(), "--render-scale", "0.5", "-o", path("refused.png")}, "--render-scale: expected a window");
   refused({scene(), "--render-scale", "0"}, "--render-scale: expected a number");
+  refused({scene(), "--ui-scale", "2", "-o", path("refused.png")}, "--ui-scale: expected a window");
+  refused({scene(), "--ui-scale", "4"}, "--ui-scale: expected a number");
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
   refused({scene(), "--highlights", "only", "-o", path("refused.png")}, "expected a scene with a [[mesh]]");

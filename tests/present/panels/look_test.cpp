@@ -21,14 +21,20 @@ TEST(LookTest, IsReadAsWritten) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "state" / "look";
   EXPECT_EQ(read_look(file), Look{});
-  const Look look{.theme = Theme::light, .text_scale = 1.5f, .panel_em = 31.25f};
+  const Look look{.theme = Theme::light,
+                  .text_scale = 1.5f,
+                  .panel_em = 31.25f,
+                  .window = {.width = 900, .height = 501, .is_maximised = true}};
   write_look(file, look);
   EXPECT_EQ(read_look(file), look);
-  std::ofstream(file) << "theme pink\ntext_scale 1e9\npanel_em none\nwhat 3";
+  std::ofstream(file)
+      << "theme pink\ntext_scale 1e9\npanel_em none\nwindow_width 3\nwindow_height -9\nwhat 3";
   const Look spoiled = read_look(file);
   EXPECT_EQ(spoiled.theme, Theme::dark);
   EXPECT_EQ(spoiled.text_scale, text_scales.back());
   EXPECT_EQ(spoiled.panel_em, Look{}.panel_em);
+  EXPECT_EQ(spoiled.window.width, 200);
+  EXPECT_EQ(spoiled.window.height, WindowExtent{}.height);
   write_look({}, look);
   write_look("/proc/nonexistent/look", look);
 }

@@ -1,9 +1,12 @@
 // The window in every size, minimised, and without a display server.
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include "host/base/error.h"
 #include "tests/present/window/window_test.h"
@@ -58,6 +61,29 @@ TEST_F(WindowSizeTest, MinimisedAndBack) {
   EXPECT_EQ(glfwGetWindowAttrib(viewer_->window(), GLFW_ICONIFIED), GLFW_FALSE);
   expect_context_lives();
   EXPECT_FALSE(picture() == before) << "time ran on";
+}
+
+// Fails if a window does not have the size that the last one was left in, one of --size is remembered, or the
+// scale of the panels is not the one that is asked for.
+TEST_F(WindowSizeTest, SizesAreRemembered) {
+  open(quick_options());
+  resize(700, 501);
+  viewer_.reset();
+  present::ViewOptions options = quick_options();
+  options.size = present::ImageSize{333, 222};
+  options.ui_scale = 1.5;
+  const auto size = [&] {
+    Spot found;
+    glfwGetWindowSize(viewer_->window(), &found.x, &found.y);
+    return std::pair(found.x, found.y);
+  };
+  viewer_ = std::make_unique<present::Viewer>(options, cancel_);
+  EXPECT_EQ(size(), std::pair(333, 222));
+  turn(2);
+  EXPECT_EQ(ImGui::GetFontSize(), 24.0f);
+  viewer_.reset();
+  viewer_ = std::make_unique<present::Viewer>(quick_options(), cancel_);
+  EXPECT_EQ(size(), std::pair(700, 501));
 }
 
 // Fails if a missing display server is told otherwise than by one line, a fix and the exit code 3.
