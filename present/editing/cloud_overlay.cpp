@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <imgui.h>
-
 #include "present/editing/cloud_editor.h"
 #include "present/editing/objects/handle_overlay.h"
 
@@ -20,11 +18,8 @@ constexpr ImU32 ball_colour = IM_COL32(255, 255, 255, 150), outline_shade_colour
 
 class Overlay {
  public:
-  Overlay(const ViewState& state, const world::WorldClouds* view)
-      : state_(state),
-        shown_{state.scene, view, state.clock.time_s()},
-        screen_{state.camera.camera(), {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}},
-        list_(*ImGui::GetBackgroundDrawList()) {}
+  Overlay(const ViewState& state, const world::WorldClouds* view, const Screen& screen)
+      : state_(state), shown_{state.scene, view, state.clock.time_s()}, screen_(screen), painter_(screen) {}
 
   void draw_balls() const {
     const std::vector<CloudPart>& picked = state_.clouds.picked;
@@ -39,57 +34,55 @@ class Overlay {
       }
     }
     for (const auto& [part, sphere] : balls.size() > most_outlines ? active : balls) {
-      if (std::find(picked.begin(), picked.end(), part) == picked.end()) outline(sphere, ball_colour, 1.0f);
+      if (std::find(picked.begin(), picked.end(), part) == picked.end()) outline(sphere, ball_colour, 1.0);
     }
   }
 
   void draw_picks() const {
     for (const CloudPart& part : state_.clouds.picked) {
-      if (has_part(state_.scene, part)) outline(sphere_of(shown_, part), selected_colour, 2.0f);
+      if (has_part(state_.scene, part)) outline(sphere_of(shown_, part), selected_colour, 2.0);
     }
     const PickedParticles& particles = state_.clouds.particles;
     for (const glm::dvec3& place_m : particles.places_m) {
       if (const auto px = pixel_of(screen_, place_m + particles.push_m))
-        list_.AddCircleFilled(screen_point(*px), 2.0f, particle_colour, 6);
+        painter_.disc(*px, 2.0, particle_colour);
     }
     const bool is_lost = std::any_of(state_.clouds.picked.begin(), state_.clouds.picked.end(),
                                      [&](const CloudPart& part) { return !has_part(state_.scene, part); });
     if (is_lost) return;
     if (const std::optional<Sphere> sphere = held_sphere(state_, shown_))
-      draw_object_handles(list_, screen_, *sphere, cloud_handles(state_));
+      draw_object_handles(painter_, screen_, *sphere, cloud_handles(state_));
   }
 
   void draw_box(const ClipBox& box) const {
-    const ImVec2 a = screen_point(pixel_of_clip(screen_, box.low)),
-                 b = screen_point(pixel_of_clip(screen_, box.high));
-    list_.AddRect({a.x, b.y}, {b.x, a.y}, selected_colour);
+    const glm::dvec2 a = pixel_of_clip(screen_, box.low), b = pixel_of_clip(screen_, box.high);
+    painter_.frame({a.x, b.y}, {b.x, a.y}, selected_colour);
   }
 
  private:
-  void outline(const Sphere& sphere, ImU32 colour, float width_px) const {
-    std::vector<ImVec2> points;
+  void outline(const Sphere& sphere, ImU32 colour, double width_px) const {
+    std::vector<glm::dvec2> points;
     for (const glm::dvec3& place_m : outline_of(sphere, screen_.camera.eye_m, outline_points)) {
       const std::optional<glm::dvec2> px = pixel_of(screen_, place_m);
       if (!px) return;
-      points.push_back(screen_point(*px));
+      points.push_back(*px);
     }
     // White alone is lost on a white cloud.
-    const int count = static_cast<int>(points.size());
-    list_.AddPolyline(points.data(), count, outline_shade_colour, ImDrawFlags_Closed, width_px + 1.5f);
-    list_.AddPolyline(points.data(), count, colour, ImDrawFlags_Closed, width_px);
+    painter_.outline(points, outline_shade_colour, width_px + 1.5);
+    painter_.outline(points, colour, width_px);
   }
 
   const ViewState& state_;
   ShownClouds shown_;
   Screen screen_;
-  ImDrawList& list_;
+  OverlayPainter painter_;
 };
 
 }  // namespace
 
-void draw_cloud_overlay(const ViewState& state, const world::WorldClouds* view,
+void draw_cloud_overlay(const ViewState& state, const world::WorldClouds* view, const Screen& screen,
                         const std::optional<ClipBox>& box) {
-  const Overlay overlay(state, view);
+  const Overlay overlay(state, view, screen);
   if (state.clouds.pick == CloudPick::balls) overlay.draw_balls();
   if (state.clouds.pick != CloudPick::none) overlay.draw_picks();
   if (box) overlay.draw_box(*box);

@@ -9,7 +9,7 @@ namespace offing::present {
 
 /// Draws balls, what is picked of clouds with its handles, and the box that is being drawn, behind ImGui's
 /// windows.
-void draw_cloud_overlay(const ViewState& state, const world::WorldClouds* view,
+void draw_cloud_overlay(const ViewState& state, const world::WorldClouds* view, const Screen& screen,
                         const std::optional<ClipBox>& box);
 
 }  // namespace offing::present

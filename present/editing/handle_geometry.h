@@ -11,7 +11,8 @@
 
 namespace offing::present {
 
-/// A screen with what is seen on it.
+/// A screen with what is seen on it, in pixels of a usual monitor: on one with finer pixels it has fewer of
+/// these, so that handles and hands are as large on all.
 struct Screen {
   Camera camera;
   glm::dvec2 size_px{1.0};

@@ -4,9 +4,9 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <imgui.h>
 
 #include "present/editing/highlight_edits.h"
+#include "present/editing/objects/handle_overlay.h"
 
 namespace offing::present {
 namespace {
@@ -16,8 +16,7 @@ using highlights::DrawnHighlight;
 // A push goes no further than this a frame: where the surface bends the next ones fix the way.
 constexpr double most_half_widths = 1.0;
 
-constexpr ImU32 line_colour = IM_COL32(255, 255, 255, 220), shade_colour = IM_COL32(0, 0, 0, 160),
-                move_colour = IM_COL32(255, 200, 40, 255), turn_colour = IM_COL32(90, 200, 255, 255),
+constexpr ImU32 line_colour = IM_COL32(255, 255, 255, 220), turn_colour = IM_COL32(90, 200, 255, 255),
                 size_colour = IM_COL32(120, 230, 120, 255);
 
 highlights::Projector box_in_world(const std::vector<world::WorldMesh>& meshes, const HighlightName& name,
@@ -25,21 +24,14 @@ highlights::Projector box_in_world(const std::vector<world::WorldMesh>& meshes, 
   return in_world(highlight.whole, meshes[name.mesh].motion());
 }
 
-ImVec2 point(glm::dvec2 place_px) {
-  return {static_cast<float>(place_px.x), static_cast<float>(place_px.y)};
-}
-
-void draw_handle(ImDrawList& list, const HandlePlace& place) {
-  const ImVec2 middle = point(place.place_px);
-  if (place.handle == Handle::move || place.handle == Handle::rotate) {
-    list.AddCircleFilled(middle, 6.0f, place.handle == Handle::move ? move_colour : turn_colour);
-    list.AddCircle(middle, 6.0f, shade_colour);
-    return;
+void draw_handle(const OverlayPainter& painter, const HandlePlace& place) {
+  if (place.handle == Handle::move) {
+    painter.knob(place.place_px, selected_colour);
+  } else if (place.handle == Handle::rotate) {
+    painter.knob(place.place_px, turn_colour);
+  } else {
+    painter.square_knob(place.place_px, size_colour);
   }
-  constexpr float half = 5.0f;
-  const ImVec2 low(middle.x - half, middle.y - half), high(middle.x + half, middle.y + half);
-  list.AddRectFilled(low, high, size_colour);
-  list.AddRect(low, high, shade_colour);
 }
 
 }  // namespace
@@ -113,18 +105,16 @@ Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::WorldM
 }
 
 void draw_highlight_handles(const HighlightName& picked, const std::vector<world::WorldMesh>& meshes,
-                            const Camera& camera) {
+                            const Screen& screen) {
   const DrawnHighlight* highlight = find_highlight(meshes, picked);
   if (highlight == nullptr) return;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Screen screen{camera, {static_cast<double>(size.x), static_cast<double>(size.y)}};
   const highlights::Projector box = box_in_world(meshes, picked, *highlight);
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  std::vector<ImVec2> outline;
+  const OverlayPainter painter(screen);
+  std::vector<glm::dvec2> outline;
   for (const glm::dvec3& corner : corners_of(box)) {
     const std::optional<glm::dvec2> place_px = pixel_of(screen, corner);
     if (!place_px) return;
-    outline.push_back(point(*place_px));
+    outline.push_back(*place_px);
   }
   const std::vector<HandlePlace> places = handle_places(screen, box);
   const auto place_of = [&](Handle handle) {
@@ -132,12 +122,12 @@ void draw_highlight_handles(const HighlightName& picked, const std::vector<world
                         [&](const HandlePlace& place) { return place.handle == handle; });
   };
   const auto knob = place_of(Handle::rotate), stem = place_of(Handle::height);
-  for (const auto& [colour, width_px] : {std::pair(shade_colour, 3.0f), {line_colour, 1.0f}}) {
-    list.AddPolyline(outline.data(), static_cast<int>(outline.size()), colour, ImDrawFlags_Closed, width_px);
+  for (const auto& [colour, width_px] : {std::pair(handle_shade, 3.0), {line_colour, 1.0}}) {
+    painter.outline(outline, colour, width_px);
     if (knob != places.end() && stem != places.end())
-      list.AddLine(point(knob->place_px), point(stem->place_px), colour, width_px);
+      painter.line(knob->place_px, stem->place_px, colour, width_px);
   }
-  for (const HandlePlace& place : places) draw_handle(list, place);
+  for (const HandlePlace& place : places) draw_handle(painter, place);
 }
 
 }  // namespace offing::present

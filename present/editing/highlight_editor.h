@@ -45,6 +45,6 @@ class HighlightEditor {
 
 /// Draws the box and the handles of the picked highlight behind ImGui's windows.
 void draw_highlight_handles(const HighlightName& picked, const std::vector<world::WorldMesh>& meshes,
-                            const Camera& camera);
+                            const Screen& screen);
 
 }  // namespace offing::present

@@ -237,8 +237,8 @@ void SceneEditing::do_to_object(const ObjectEdit& edit, const Screen& screen) {
 
 void SceneEditing::draw(const Screen& screen, glm::dvec2 pointer) {
   objects_.draw(state_, sea_, screen);
-  if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), state_.camera.camera());
-  draw_cloud_overlay(state_, sea_.clouds(), clouds_.box(pointer));
+  if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), screen);
+  draw_cloud_overlay(state_, sea_.clouds(), screen, clouds_.box(pointer));
 }
 
 }  // namespace offing::present

@@ -33,7 +33,8 @@ class SceneEditing {
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Shows clouds that have been made since the last frame.
   void take_clouds();
-  /// An edit that `change` makes of a scene and says something of, which the message then shows, or its fault.
+  /// An edit that `change` makes of a scene and says something of, which the message then shows, or its
+  /// fault.
   void make(const std::function<std::string(scene::Scene&)>& change);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);

@@ -273,11 +273,11 @@ void Viewer::show_title() {
   glfwSetWindowTitle(window(), shown_title_.c_str());
 }
 
-/// Of the window, whose size is that of the mouse's places.
 Screen Viewer::screen() const {
   int width = 1, height = 1;
   glfwGetWindowSize(window(), &width, &height);
-  return {state_.camera.camera(), {std::max(width, 1), std::max(height, 1)}};
+  const glm::dvec2 size(std::max(width, 1), std::max(height, 1));
+  return {state_.camera.camera(), size / static_cast<double>(panels_.scale())};
 }
 
 void Viewer::move_camera(double wall_s) {

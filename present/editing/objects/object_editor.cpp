@@ -10,7 +10,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <imgui.h>
 
 #include "host/bodies/body_pose.h"
 #include "host/scene/prepare/mesh_motion.h"
@@ -126,33 +125,33 @@ std::vector<ObjectIcon> object_icons(const ViewState& state, const Screen& scree
   return icons;
 }
 
-void draw_light(ImDrawList& list, glm::dvec2 place_px) {
+void draw_light_icon(const OverlayPainter& painter, glm::dvec2 place_px) {
   constexpr ImU32 light_colour = IM_COL32(250, 220, 120, 255);
   constexpr int rays = 8;
-  list.AddCircleFilled(screen_point(place_px), 5.5f, handle_shade);
-  list.AddCircleFilled(screen_point(place_px), 4.5f, light_colour);
+  painter.disc(place_px, 5.5, handle_shade);
+  painter.disc(place_px, 4.5, light_colour);
   for (int ray = 0; ray < rays; ++ray) {
     const double angle_rad = 2.0 * std::numbers::pi * ray / rays;
     const glm::dvec2 way(std::cos(angle_rad), std::sin(angle_rad));
-    list.AddLine(screen_point(place_px + 7.0 * way), screen_point(place_px + 10.0 * way), light_colour, 1.5f);
+    painter.line(place_px + 7.0 * way, place_px + 10.0 * way, light_colour, 1.5);
   }
 }
 
 /// A camera from the side.
-void draw_bookmark(ImDrawList& list, glm::dvec2 place_px) {
+void draw_camera_icon(const OverlayPainter& painter, glm::dvec2 place_px) {
   constexpr ImU32 camera_colour = IM_COL32(190, 150, 230, 255);
-  const auto at = [&](double x, double y) { return screen_point(place_px + glm::dvec2(x, y)); };
-  list.AddRectFilled(at(-8.0, -5.0), at(4.0, 6.0), handle_shade);
-  list.AddRectFilled(at(-7.0, -4.0), at(3.0, 5.0), camera_colour);
-  list.AddTriangleFilled(at(2.0, 0.5), at(9.0, -5.0), at(9.0, 6.0), camera_colour);
+  const auto at = [&](double x, double y) { return place_px + glm::dvec2(x, y); };
+  painter.rectangle(at(-8.0, -5.0), at(4.0, 6.0), handle_shade);
+  painter.rectangle(at(-7.0, -4.0), at(3.0, 5.0), camera_colour);
+  painter.triangle(at(2.0, 0.5), at(9.0, -5.0), at(9.0, 6.0), camera_colour);
 }
 
-void draw_icons(ImDrawList& list, const std::vector<ObjectIcon>& icons) {
+void draw_icons(const OverlayPainter& painter, const std::vector<ObjectIcon>& icons) {
   for (const ObjectIcon& icon : icons) {
     if (icon.handle.kind == ObjectKind::light) {
-      draw_light(list, icon.place_px);
+      draw_light_icon(painter, icon.place_px);
     } else {
-      draw_bookmark(list, icon.place_px);
+      draw_camera_icon(painter, icon.place_px);
     }
   }
 }
@@ -175,7 +174,7 @@ std::optional<Sphere> square_of(const ViewState& state, const LiveSea& sea) {
 }
 
 /// Level, along the world's axes.
-void draw_square(ImDrawList& list, const Screen& screen, const Sphere& square) {
+void draw_square(const OverlayPainter& painter, const Screen& screen, const Sphere& square) {
   constexpr std::array<glm::dvec2, 5> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
   constexpr int parts = 32;  // of a side, of which some may be behind the eye
   std::optional<glm::dvec2> last_px;
@@ -184,10 +183,7 @@ void draw_square(ImDrawList& list, const Screen& screen, const Sphere& square) {
       const double share = 1.0 * part / parts;
       const glm::dvec2 way_m = square.radius_m * ((1.0 - share) * corners[side] + share * corners[side + 1]);
       const auto now_px = pixel_of(screen, square.centre_m + glm::dvec3(way_m.x, 0.0, way_m.y));
-      if (last_px && now_px) {
-        list.AddLine(screen_point(*last_px), screen_point(*now_px), handle_shade, 2.5f);
-        list.AddLine(screen_point(*last_px), screen_point(*now_px), selected_colour, 1.0f);
-      }
+      if (last_px && now_px) painter.shaded_line(*last_px, *now_px, selected_colour);
       last_px = now_px;
     }
   }
@@ -375,7 +371,8 @@ const ObjectEditor::Box& ObjectEditor::box_of(const world::WorldMesh& mesh) {
 }
 
 /// Where a hand has brought it, though the world has not followed yet.
-void ObjectEditor::draw_box(const LiveSea& sea, const Screen& screen, std::size_t index) {
+void ObjectEditor::draw_box(const OverlayPainter& painter, const LiveSea& sea, const Screen& screen,
+                            std::size_t index) {
   const world::WorldMesh& mesh = sea.meshes()[index];
   const Box& box = box_of(mesh);
   RigidMotion motion = mesh.motion();
@@ -393,31 +390,29 @@ void ObjectEditor::draw_box(const LiveSea& sea, const Screen& screen, std::size_
                             (i & 4u) != 0 ? box.high_m.z : box.low_m.z);
     corners[i] = pixel_of(screen, in_world(motion, ratio * corner));
   }
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (const std::size_t bit : {1u, 2u, 4u}) {
       const std::size_t other = i | bit;
       if (other == i || !corners[i] || !corners[other]) continue;
-      list.AddLine(screen_point(*corners[i]), screen_point(*corners[other]), handle_shade, 2.5f);
-      list.AddLine(screen_point(*corners[i]), screen_point(*corners[other]), selected_colour, 1.0f);
+      painter.shaded_line(*corners[i], *corners[other], selected_colour);
     }
   }
 }
 
 void ObjectEditor::draw(const ViewState& state, const LiveSea& sea, const Screen& screen) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  draw_icons(list, object_icons(state, screen));
-  if (const std::optional<Sphere> square = square_of(state, sea)) draw_square(list, screen, *square);
+  const OverlayPainter painter(screen);
+  draw_icons(painter, object_icons(state, screen));
+  if (const std::optional<Sphere> square = square_of(state, sea)) draw_square(painter, screen, *square);
   const std::optional<HeldPlace> place = held_place(state, sea, screen);
   if (!place) return;
-  if (const std::optional<std::size_t> mesh = selected_mesh(state)) draw_box(sea, screen, *mesh);
+  if (const std::optional<std::size_t> mesh = selected_mesh(state)) draw_box(painter, sea, screen, *mesh);
   Sphere sphere = place->sphere;
   if (grab_ && !grab_->is_shown && !grab_->aims) sphere.centre_m = grab_->sphere.centre_m + grab_->pull.way_m;
   if (place->aims) {
     const auto from_px = pixel_of(screen, aim_from_m(screen)), to_px = pixel_of(screen, sphere.centre_m);
-    if (from_px && to_px) list.AddLine(screen_point(*from_px), screen_point(*to_px), selected_colour, 2.0f);
+    if (from_px && to_px) painter.line(*from_px, *to_px, selected_colour, 2.0);
   }
-  draw_object_handles(list, screen, sphere, place->handles);
+  draw_object_handles(painter, screen, sphere, place->handles);
 }
 
 }  // namespace offing::present

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "present/editing/mesh_picker.h"
+#include "present/editing/objects/handle_overlay.h"
 #include "present/editing/objects/object_edits.h"
 #include "present/editing/objects/scene_objects.h"
 #include "present/panels/panels.h"
@@ -58,7 +59,7 @@ class ObjectEditor {
   Edit pull(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip, bool snaps);
   void select_at(ViewState& state, LiveSea& sea, const Screen& screen, glm::dvec2 clip);
   const Box& box_of(const world::WorldMesh& mesh);
-  void draw_box(const LiveSea& sea, const Screen& screen, std::size_t mesh);
+  void draw_box(const OverlayPainter& painter, const LiveSea& sea, const Screen& screen, std::size_t mesh);
 
   MeshPicker picker_;
   std::optional<Grab> grab_;

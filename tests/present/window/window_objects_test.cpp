@@ -295,6 +295,28 @@ TEST_F(WindowObjectsTest, HandlesMoveTurnAndResizeMeshes) {
   EXPECT_EQ(message(), "there is nothing to undo");
 }
 
+// Fails if handles do not grow with the scale of panels, or are held elsewhere than drawn.
+TEST_F(WindowObjectsTest, HandlesGrowWithTheScale) {
+  present::ViewOptions options = options_of(objects_text);
+  options.ui_scale = 2.0;
+  open(options);
+  press("Tab");
+  glfwSetWindowSize(viewer_->window(), 800, 600);
+  turn(4);
+  click(spot_of_mesh(1));
+  ASSERT_EQ(selected(), (SceneObject{ObjectKind::mesh, 1}));
+  const present::Screen usual{state().camera.camera(), {400.0, 300.0}};
+  const auto place = present::held_place(state(), viewer_->sea(), usual);
+  ASSERT_TRUE(place);
+  const glm::dvec3 place_m = state().scene.meshes[1].position_m;
+  const double metre_px = 1.0 / present::pixel_m(screen(), place_m);
+  for (const auto& each : present::object_handle_places(usual, place->sphere, place->handles)) {
+    if (each.handle == ObjectHandle::x)
+      pull(2.0 * each.place_px, 2.0 * each.place_px + glm::dvec2(metre_px, 0.0));
+  }
+  EXPECT_NEAR(state().scene.meshes[1].position_m.x - place_m.x, 1.0, 0.1);
+}
+
 // Fails if a hand does not bring a light where it lets go.
 TEST_F(WindowObjectsTest, HandlesMoveLights) {
   open_picture();
