@@ -1,0 +1,319 @@
+// Undo and redo of every kind of edit, by the pictures that they show.
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/presets.h"
+#include "present/editing/objects/object_edits.h"
+#include "present/editing/objects/selection.h"
+#include "present/editing/scene_editing.h"
+#include "present/output/camera_path.h"
+#include "present/view_options.h"
+#include "present/window/bookmarks.h"
+#include "present/window/dropped_files.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/present/gl_test.h"
+
+namespace offing::present {
+namespace {
+
+/// One of each kind of object, and of each section.
+constexpr const char* scene_text = R"(version = 1
+[camera]
+x_m = 0
+y_m = 5
+z_m = 14
+pitch_deg = -8
+fov_deg = 60
+[ocean]
+size = 32
+cascade_count = 1
+[[ocean.swell]]
+period_s = 4
+amplitude_m = 0.2
+[[ocean.raindrop]]
+x_m = 1
+amplitude_m = 0.005
+time_s = -2
+[[ocean.wake]]
+centre = "place"
+length_m = 24
+cells = 32
+history_s = 1
+[[ocean.wake.hull]]
+x_m = 3
+length_m = 4
+beam_m = 2
+draught_m = 0.5
+speed_mps = 2
+[terrain]
+posts = 65
+side_m = 400
+mean_m = -12
+relief_m = 40
+origin_z_m = -500
+[[mesh]]
+name = "ball"
+shape = "sphere"
+size_m = 1.5
+detail = 2
+x_m = -4
+y_m = 4
+[[mesh.highlight]]
+[[mesh]]
+name = "hull"
+shape = "ship"
+size_m = 6
+detail = 1
+highlights = "off"
+[[light]]
+name = "lamp"
+kind = "place"
+x_m = -2
+y_m = 7
+z_m = 4
+illuminance_klx = 200
+[[body]]
+name = "boat"
+mesh = "hull"
+draught_m = 0.4
+x_m = 3
+z_m = -4
+[[body.mooring]]
+anchor_m = [3, -5, -9]
+[clouds]
+quality = 0.1
+[[cloud]]
+name = "heap"
+y_m = 300
+z_m = -1200
+[[cloud.ball]]
+radius_m = 150
+[[cloud.level]]
+ratio = 0.5
+[[cloud.particle_edit]]
+fate = "kept"
+[[cloud_layer]]
+coverage = 0
+extent_m = 500
+y_m = 400
+[[bookmark]]
+y_m = 3
+)";
+
+/// A value of each group of the parameter table that a user can edit, and whether this scene shows it.
+struct ValueEdit {
+  const char* key;
+  const char* text;
+  bool is_seen = true;
+};
+constexpr std::array<ValueEdit, 29> value_edits{{{"wind.speed_mps", "16"},
+                                                 {"ocean.hs_m", "2"},
+                                                 {"ocean.choppiness", "0.2"},
+                                                 {"ocean.gerstner.count", "4"},
+                                                 {"ocean.swell.amplitude_m", "0.6"},
+                                                 {"ocean.raindrop.amplitude_m", "0.01", false},
+                                                 {"ocean.wake.length_m", "12"},
+                                                 {"ocean.wake.hull.draught_m", "1"},
+                                                 {"ocean.foam.fraction", "0.2", false},
+                                                 {"terrain.relief_m", "90"},
+                                                 {"terrain.vertical_scale", "2", false},
+                                                 {"walk.eye_height_m", "3", false},
+                                                 {"mesh.size_m", "9"},
+                                                 {"mesh.highlight.opacity", "0.3", false},
+                                                 {"light.y_m", "5"},
+                                                 {"body.x_m", "1"},
+                                                 {"body.mooring.length_m", "1", false},
+                                                 {"clouds.quality", "0.2", false},
+                                                 {"cloud_layer.x_m", "9", false},
+                                                 {"cloud.scale", "1.5"},
+                                                 {"cloud.ball.radius_m", "220"},
+                                                 {"cloud.level.ratio", "0.7", false},
+                                                 {"cloud.particle_edit.fate", "removed", false},
+                                                 {"sun.elevation_deg", "12"},
+                                                 {"sky.ozone_du", "600", false},
+                                                 {"bookmark.x_m", "4", false},
+                                                 {"render.exposure_ev", "1"},
+                                                 {"world.seed", "9"},
+                                                 {"time.fps", "30", false}}};
+
+class UndoPicturesTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    state_.scene = scene::parse_scene(scene_text, "a.toml", "");
+    sea_ = std::make_unique<LiveSea>(
+        *context_, LiveSeaSettings{.device = "", .frame = frame_settings(Detail::low)}, state_.scene);
+    state_.camera = FreeCamera(state_.scene.view.camera);
+    editing_ = std::make_unique<SceneEditing>(*sea_, state_);
+    untouched_ = picture();
+  }
+  void TearDown() override {
+    editing_.reset();
+    sea_.reset();
+    GlTest::TearDown();
+  }
+
+  Screen screen() const { return {state_.camera.camera(), {96.0, 64.0}}; }
+
+  /// Once all clouds are made.
+  std::vector<unsigned char> picture() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (sea_->clouds_progress() && std::chrono::steady_clock::now() < end) {
+      if (editing_) editing_->take_clouds();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (editing_) editing_->take_clouds();
+    Camera camera = state_.camera.camera();
+    camera.width_px = 96;
+    camera.height_px = 64;
+    // As a window does: a moving picture, then that of a view that stands, whose highlights have no history.
+    sea_->draw({.time_s = 0.0, .camera = camera});
+    sea_->draw({.time_s = 0.0,
+                .camera = camera,
+                .lighting_at = recorded_lighting(sea_->scene(), sea_->terrain(), camera.eye_m),
+                .first_s = 0.0},
+               PictureKind::still);
+    return sea_->frame().screen().read_bytes();
+  }
+  std::string text() const { return scene::scene_text(state_.scene, ""); }
+
+  /// Does it, takes it back, does it again and takes it back: the scene is then as it was.
+  void expect_undone_and_redone(const std::string& name, bool is_seen, const std::function<void()>& edit) {
+    const std::string before = text();
+    edit();
+    ASSERT_FALSE(state_.message.is_fault) << name << ": " << state_.message.text;
+    const std::string after = text();
+    EXPECT_NE(after, before) << name;
+    const std::vector<unsigned char> edited = picture();
+    EXPECT_TRUE(edited != untouched_ || !is_seen) << name << " is not seen";
+    editing_->undo();
+    EXPECT_EQ(text(), before) << name;
+    EXPECT_TRUE(picture() == untouched_) << "undo of " << name;
+    editing_->redo();
+    EXPECT_EQ(text(), after) << name;
+    EXPECT_TRUE(picture() == edited) << "redo of " << name;
+    editing_->undo();
+    EXPECT_EQ(text(), before) << name;
+    deselect_objects(state_);
+  }
+  void change(const std::string& name, bool is_seen, const std::function<void(scene::Scene&)>& change) {
+    expect_undone_and_redone(name, is_seen, [&] {
+      editing_->make([&](scene::Scene& scene) {
+        change(scene);
+        return std::string();
+      });
+    });
+  }
+
+  ViewState state_{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
+  std::unique_ptr<LiveSea> sea_;
+  std::unique_ptr<SceneEditing> editing_;
+  std::vector<unsigned char> untouched_;
+};
+
+// Fails if undo or redo of a value shows another picture or leaves another scene, or a group has no value
+// here.
+TEST_F(UndoPicturesTest, OfValues) {
+  std::set<scene::ParameterGroup> groups{scene::ParameterGroup::camera};  // which undo leaves to the user
+  for (const ValueEdit& edit : value_edits) {
+    ASSERT_NE(scene::find_parameter(edit.key), nullptr) << edit.key;
+    const scene::Parameter& row = *scene::find_parameter(edit.key);
+    groups.insert(row.group);
+    change(edit.key, edit.is_seen, [&](scene::Scene& scene) {
+      scene::store(scene, row, scene::read_flag_value(row, edit.text), {.subject = edit.key},
+                   scene::ElementIndex{});
+    });
+  }
+  for (const GroupPanel& panel : group_panels()) EXPECT_TRUE(groups.contains(panel.group)) << panel.title;
+}
+
+// Fails as above for objects that are added, copied, deleted, hidden and renamed.
+TEST_F(UndoPicturesTest, OfObjects) {
+  using enum NewObject::Kind;
+  for (const NewObject::Kind kind : {boat, mesh, light, cloud, cloud_layer, bookmark}) {
+    const bool is_seen = kind != bookmark && kind != light;
+    expect_undone_and_redone("add " + std::to_string(static_cast<int>(kind)), is_seen, [&] {
+      editing_->do_to_object({.added = {.kind = kind, .shape = 1}}, screen());
+    });
+  }
+  for (const SceneObject& object : objects_of(state_.scene)) {
+    const std::string name = label_of(state_.scene, object);
+    if (can_be_duplicated(object)) {
+      expect_undone_and_redone("copy " + name, false, [&] {
+        select_object(state_, object);
+        editing_->duplicate_picked(screen());
+      });
+    }
+    const bool is_beneath_a_body = object.kind == ObjectKind::sea;
+    if (can_be_removed(state_.scene, object) && !is_beneath_a_body) {
+      expect_undone_and_redone("delete " + name, false, [&] {
+        select_object(state_, object);
+        editing_->remove_picked();
+      });
+    }
+    if (name_row(object.kind) != nullptr) {
+      expect_undone_and_redone("rename " + name, false, [&] {
+        editing_->do_to_object({.kind = ObjectEdit::Kind::rename, .object = object, .name = "other"},
+                               screen());
+      });
+    }
+  }
+  change("hide", true,
+         [](scene::Scene& scene) { scene.meshes[0].material.visible = world::MeshVisibility::off; });
+}
+
+// Fails as above for presets, handles, keyframes, bookmarks and files.
+TEST_F(UndoPicturesTest, OfAllElse) {
+  std::set<scene::ParameterGroup> groups;
+  for (const scene::Preset& preset : scene::presets()) {
+    const bool is_heavy = preset.group == scene::ParameterGroup::cloud_layer;  // and like that of a cloud
+    if (is_heavy || !groups.insert(preset.group).second) continue;
+    change(std::string(preset.name), true, [&](scene::Scene& scene) { scene::apply(preset, scene); });
+  }
+  const ObjectPull pull{.way_m = {1.0, 0.5, -1.0}, .turn_rad = {0.0, 0.4, 0.0}};
+  change("pull a mesh", true, [&](scene::Scene& scene) {
+    pull_mesh(scene, {.mesh = 0, .local = {.rotation = glm::dmat3(1.0)}}, pull);
+  });
+  change("pull a body", true, [&](scene::Scene& scene) { pull_body(scene, {.body = 0, .hull = 1}, pull); });
+  for (const SceneObject object : {SceneObject{ObjectKind::light, 0},
+                                   {ObjectKind::cloud_layer, 0},
+                                   {ObjectKind::wake, 0},
+                                   {ObjectKind::bookmark, 0}}) {
+    change("pull " + label_of(state_.scene, object), object.kind == ObjectKind::wake,
+           [&](scene::Scene& scene) {
+             pull_place(scene, object, place_of(scene, object, 0.0).value_or(Sphere{}), pull);
+           });
+  }
+  change("keyframes", true, [](scene::Scene& scene) {
+    scene.tracks[{"mesh.x_m", {0, 0}}] = {.keys = {{0.0, -2.0}, {5.0, 2.0}}};
+  });
+  change("set a bookmark", false,
+         [&](scene::Scene& scene) { set_bookmark(scene, state_.camera.camera(), 2); });
+  const TemporaryFolder folder;
+  const std::filesystem::path mesh = folder.path() / "wedge.obj";
+  std::ofstream(mesh) << "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  change("a mesh's file", true, [&](scene::Scene& scene) {
+    add_dropped(scene, mesh, DroppedKind::mesh, {0.0, 3.0, 4.0});
+  });
+  change("a spectrum's file", true, [&](scene::Scene& scene) {
+    add_dropped(scene, OFFING_SOURCES "/scenes/example_sea.data_spec", DroppedKind::spectrum, {});
+  });
+}
+
+}  // namespace
+}  // namespace offing::present
