@@ -17,6 +17,7 @@
 #include <imgui_internal.h>
 
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/presets.h"
 #include "present/panels/parameter_widget.h"
 #include "tests/present/editing/holdings.h"
 #include "tests/present/window/window_test.h"
@@ -88,21 +89,28 @@ class WindowSoakTest : public WindowTest {
     const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
     for (const char* button : {"add##objects", "duplicate##objects"})
       if (panel != nullptr && hovered == panel->GetID(button)) return;
-    if (panel != nullptr && panel->WasActive && std::ranges::any_of(sizes, [&](const char* key) {
-          return is_hovered_row(*panel, *scene::find_parameter(key));
-        })) {
-      return;
-    }
+    if (panel != nullptr && panel->WasActive && is_size_hovered(*panel)) return;
     drag(from, {from.x + pick(-60, 60), from.y + pick(-20, 20)});
   }
 
-  /// In any of the first sections, where it is a row of repeated ones.
-  static bool is_hovered_row(ImGuiWindow& panel, const scene::Parameter& row) {
+  static bool is_size_hovered(ImGuiWindow& panel) {
+    const auto is_layer = [&](const scene::Preset& preset) {
+      if (preset.group != scene::ParameterGroup::cloud_layer) return false;
+      const std::string_view word = preset.name.substr(preset.name.rfind('-') + 1);
+      return is_hovered(panel, fmt::format("{}##{}", word, preset.name));
+    };
+    return std::ranges::any_of(scene::presets(), is_layer) ||
+           std::ranges::any_of(sizes, [&](const char* key) {
+             return is_hovered(panel, present::parameter_label(*scene::find_parameter(key)));
+           });
+  }
+
+  /// In any of the first sections, where it is of repeated ones.
+  static bool is_hovered(ImGuiWindow& panel, const std::string& label) {
     constexpr int most_sections = 4;
     const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
-    const std::string label = present::parameter_label(row);
     if (hovered == panel.GetID(label.c_str())) return true;
-    // The same row among the values of what is selected.
+    // The same among the values of what is selected.
     if (hovered == ImHashStr(label.c_str(), 0, panel.GetID("properties"))) return true;
     for (int i = 0; i < most_sections; ++i) {
       if (hovered == ImHashStr(label.c_str(), 0, panel.GetID(i))) return true;
@@ -110,7 +118,7 @@ class WindowSoakTest : public WindowTest {
     return false;
   }
 
-  /// Rows by which one pull can make work for hours.
+  /// Rows by which one pull can make work for hours, as presets of layers can.
   static constexpr std::array sizes{"ocean.size",          "terrain.posts",          "terrain.side_m",
                                     "clouds.quality",      "cloud.target_particles", "cloud_layer.coverage",
                                     "cloud_layer.extent_m"};
