@@ -176,12 +176,14 @@ void draw_search(ViewState& state, PanelEdits& edits) {
   for (const GroupPanel& panel : group_panels()) {
     if (!is_in(state.scene, panel.group)) continue;
     std::vector<const scene::Parameter*> rows = rows_of(panel.group);
-    std::erase_if(rows,
-                  [&](const scene::Parameter* row) { return !is_found(state.search, panel.title, *row); });
+    std::erase_if(rows, [&](const scene::Parameter* row) {
+      return !is_found(state.search, fmt::format("{} {}", panel.title, panel.words), *row);
+    });
     if (rows.empty()) continue;
     has_any = true;
     if (!rows.front()->section->is_repeated()) {
       ImGui::TextDisabled("%s", panel.title);
+      note(draw_presets(state.scene, panel.group), panel, state, edits);
       draw_values(panel, rows, {}, state, edits);
       continue;
     }
@@ -398,36 +400,36 @@ void draw_message(Message& message, PanelLayout& layout) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr auto panels =
-      std::to_array<GroupPanel>({{ParameterGroup::wind, "Wind"},
-                                 {ParameterGroup::sea, "Spectrum"},
-                                 {ParameterGroup::grid, "Cascades and Gerstner waves"},
-                                 {ParameterGroup::swell, "Swells"},
-                                 {ParameterGroup::raindrop, "Raindrops"},
-                                 {ParameterGroup::wake, "Wakes"},
-                                 {ParameterGroup::wake_hull, "Hulls of wakes"},
-                                 {ParameterGroup::foam, "Foam"},
-                                 {ParameterGroup::terrain, "Ground"},
-                                 {ParameterGroup::height_map, "Height map"},
-                                 {ParameterGroup::walk, "Walk"},
-                                 {ParameterGroup::mesh, "Meshes"},
-                                 {ParameterGroup::highlight, "Highlights"},
-                                 {ParameterGroup::light, "Lights"},
-                                 {ParameterGroup::body, "Floating bodies"},
-                                 {ParameterGroup::mooring, "Mooring lines"},
-                                 {ParameterGroup::clouds, "All clouds"},
-                                 {ParameterGroup::cloud_layer, "Layers of clouds"},
-                                 {ParameterGroup::cloud, "Clouds"},
-                                 {ParameterGroup::cloud_ball, "Balls of clouds"},
-                                 {ParameterGroup::cloud_level, "Levels of clouds"},
-                                 {ParameterGroup::particle_edit, "Edits of particles"},
-                                 {ParameterGroup::sun, "Sun"},
-                                 {ParameterGroup::sky, "Air"},
-                                 {ParameterGroup::camera, "Camera"},
-                                 {ParameterGroup::bookmark, "Bookmarks"},
-                                 {ParameterGroup::render, "Picture"},
-                                 {ParameterGroup::world, "World"},
-                                 {ParameterGroup::time, "Time of the scene"}});
+  static constexpr auto panels = std::to_array<GroupPanel>(
+      {{ParameterGroup::wind, "Wind"},
+       {ParameterGroup::sea, "Spectrum", "waves sea state swell storm"},
+       {ParameterGroup::grid, "Cascades and Gerstner waves"},
+       {ParameterGroup::swell, "Swells"},
+       {ParameterGroup::raindrop, "Raindrops"},
+       {ParameterGroup::wake, "Wakes"},
+       {ParameterGroup::wake_hull, "Hulls of wakes"},
+       {ParameterGroup::foam, "Foam"},
+       {ParameterGroup::terrain, "Ground", "terrain land map mountains"},
+       {ParameterGroup::height_map, "Height map", "terrain geotiff elevation"},
+       {ParameterGroup::walk, "Walk"},
+       {ParameterGroup::mesh, "Meshes", "object model shape ship boat"},
+       {ParameterGroup::highlight, "Highlights"},
+       {ParameterGroup::light, "Lights", "lantern shine"},
+       {ParameterGroup::body, "Floating bodies", "boat ship hull engine drive sail"},
+       {ParameterGroup::mooring, "Mooring lines"},
+       {ParameterGroup::clouds, "All clouds"},
+       {ParameterGroup::cloud_layer, "Layers of clouds", "sky weather overcast"},
+       {ParameterGroup::cloud, "Clouds", "sky weather"},
+       {ParameterGroup::cloud_ball, "Balls of clouds"},
+       {ParameterGroup::cloud_level, "Levels of clouds"},
+       {ParameterGroup::particle_edit, "Edits of particles"},
+       {ParameterGroup::sun, "Sun", "time of day hour morning noon evening light"},
+       {ParameterGroup::sky, "Air"},
+       {ParameterGroup::camera, "Camera", "view position"},
+       {ParameterGroup::bookmark, "Bookmarks"},
+       {ParameterGroup::render, "Picture", "brightness exposure"},
+       {ParameterGroup::world, "World"},
+       {ParameterGroup::time, "Time of the scene"}});
   return panels;
 }
 

@@ -44,6 +44,7 @@ Message fault_message(const Error& error);
 struct GroupPanel {
   scene::ParameterGroup group;
   const char* title;
+  const char* words = "";  ///< that people look for, beside those of its values
 };
 std::span<const GroupPanel> group_panels();
 

@@ -6,8 +6,8 @@
 
 namespace offing::present {
 
-/// Whether each word that is looked for is in a row's panel, name or key, in any case: "wind spe" finds the
-/// wind's speed. Nothing finds nothing.
+/// Whether each word that is looked for is among the words of a row's panel, its name or key, in any case:
+/// "wind spe" finds the wind's speed. Nothing finds nothing.
 bool is_found(std::string_view wanted, std::string_view panel, const scene::Parameter& row);
 
 }  // namespace offing::present

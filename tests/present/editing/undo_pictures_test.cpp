@@ -80,7 +80,7 @@ size_m = 6
 detail = 1
 highlights = "off"
 [[light]]
-name = "lamp"
+name = "lantern"
 kind = "place"
 x_m = -2
 y_m = 7

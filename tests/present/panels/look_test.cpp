@@ -1,14 +1,17 @@
 // What windows remember of their looks, and the search over values.
 #include "present/panels/look.h"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "host/scene/schema/parameter_table.h"
+#include "present/panels/panels.h"
 #include "present/panels/parameter_widget.h"
 #include "present/panels/value_search.h"
 #include "tests/io/temporary_folder.h"
@@ -63,6 +66,23 @@ TEST(ValueSearchTest, FindsByAllWords) {
   EXPECT_TRUE(is_found("wind.speed_mps", "Wind", speed));
   EXPECT_FALSE(is_found("wind speed direction", "Wind", speed));
   EXPECT_FALSE(is_found("  ", "Wind", speed));
+}
+
+// Fails if words that a newcomer looks for find nothing.
+TEST(ValueSearchTest, FindsWhatValuesAreAbout) {
+  const auto finds = [](const char* wanted, scene::ParameterGroup group) {
+    return std::ranges::any_of(scene::parameter_table(), [&](const scene::Parameter& row) {
+      const auto panels = group_panels();
+      const auto panel = std::ranges::find(panels, row.group, &GroupPanel::group);
+      return row.group == group && is_found(wanted, fmt::format("{} {}", panel->title, panel->words), row);
+    });
+  };
+  EXPECT_TRUE(finds("time of day", scene::ParameterGroup::sun));
+  EXPECT_TRUE(finds("waves", scene::ParameterGroup::sea));
+  EXPECT_TRUE(finds("boat", scene::ParameterGroup::body));
+  EXPECT_TRUE(finds("geotiff", scene::ParameterGroup::height_map));
+  EXPECT_TRUE(finds("wind", scene::ParameterGroup::wind));
+  EXPECT_FALSE(finds("boat", scene::ParameterGroup::wind));
 }
 
 }  // namespace
