@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -178,10 +179,13 @@ void draw_row(ViewState& state, const SceneObject& object, bool is_selected, Pan
 }
 
 void draw_list(ViewState& state, PanelEdits& edits) {
-  constexpr std::size_t most_rows = 12;
+  // In a low window there is to be room for the values below the list.
+  constexpr float least_rows = 4.0f, most_rows = 12.0f, most_share = 0.35f;
+  const float room = most_share * ImGui::GetIO().DisplaySize.y / ImGui::GetTextLineHeightWithSpacing();
   const std::vector<SceneObject> objects = objects_of(state.scene);
   const std::optional<SceneObject> selected = selected_object(state);
-  const auto rows = static_cast<float>(std::min(objects.size(), most_rows));
+  const float rows =
+      std::min(static_cast<float>(objects.size()), std::clamp(std::floor(room), least_rows, most_rows));
   const float height_px =
       rows * ImGui::GetTextLineHeightWithSpacing() + 2.0f * ImGui::GetStyle().WindowPadding.y;
   ImGui::BeginChild("objects", ImVec2(0.0f, height_px), true);
