@@ -35,8 +35,9 @@ void draw_map(ImVec2 middle, float radius, const sky::SunAngles& now) {
   list.AddText({middle.x + 2.0f, middle.y - radius}, line_colour, "N");
   glm::dvec2 place = place_on_dial(now);
   if (const double length = glm::length(place); length > dial_reach) place *= dial_reach / length;
-  list.AddCircleFilled(at(middle, radius, place), 6.0f, sun_colour);
-  list.AddCircle(at(middle, radius, place), 6.0f, IM_COL32(0, 0, 0, 200));
+  const float sun_radius = 0.1f * radius;
+  list.AddCircleFilled(at(middle, radius, place), sun_radius, sun_colour);
+  list.AddCircle(at(middle, radius, place), sun_radius, IM_COL32(0, 0, 0, 200));
 }
 
 void end_keyframes(scene::Scene& scene) {

@@ -117,6 +117,7 @@ TEST_F(WindowLayoutTest, LooksAreRemembered) {
   EXPECT_NEAR(main_panel()->Size.x, before - 40.0f, 6.0f);
   const present::Look chosen = state().look;
   EXPECT_EQ(chosen.theme, present::Theme::light);
+  EXPECT_EQ(ImGui::GetStyle().Colors[ImGuiCol_PopupBg].w, 1.0f) << "the text below a menu shows through";
   EXPECT_EQ(chosen.text_scale, 0.8f);
   open(quick_options());
   present::Look remembered = state().look;
