@@ -157,6 +157,25 @@ TEST_F(DrawnHighlightsTest, RotationGoesFromRightTowardUp) {
   EXPECT_LE(glm::distance(turned.up, {-1.0, 0.0, 0.0}), 1e-15);
 }
 
+// A window on a brow, where directions of curvature turn by a right angle within a second. Fails if the way
+// up of the picture depends on them, is mirrored, or if rotation no longer counts from there.
+TEST_F(DrawnHighlightsTest, UprightOnesAreThatWhateverTheCurvature) {
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.4, 0.3, 0.9)), y(0.0, 1.0, 0.0);
+  const glm::dvec3 up = glm::normalize(y - glm::dot(y, normal) * normal), right = glm::cross(up, normal);
+  for (double angle = -3.0; angle < 3.2; angle += 0.5) {
+    const glm::dvec3 turned = std::cos(angle) * right + std::sin(angle) * up;
+    const Projector found{.right = turned, .up = glm::cross(normal, turned), .normal = normal};
+    const Projector upright = reshaped(found, {.upright = 1.0});
+    EXPECT_LE(glm::distance(upright.up, up), 1e-12) << angle;
+    EXPECT_LE(glm::distance(upright.right, right), 1e-12) << angle;
+    EXPECT_LE(glm::distance(reshaped(found, {.rotation_rad = 0.5 * pi, .upright = 1.0}).right, up), 1e-12);
+    EXPECT_EQ(reshaped(found, {}).right, found.right);
+  }
+  // Where the surface is level no way is up.
+  const Projector level{.right = {1.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}, .normal = y};
+  EXPECT_LE(glm::distance(reshaped(level, {.upright = 1.0}).right, level.right), 1e-12);
+}
+
 // Copies fill the width of the one that was split, with gaps in their own widths, and mirror one another: on
 // a sphere those left and right of the middle are as far from it. Fails if they go out to one side.
 TEST_F(DrawnHighlightsTest, CopiesAreSymmetric) {
@@ -373,6 +392,7 @@ TEST_F(DrawnHighlightsTest, ControlsActContinuously) {
       [](double s) { return HighlightControls{.rotation_rad = s, .split = 3, .split_gap = s}; });
   expect_small_steps([](double s) { return HighlightControls{.scale = 0.5 + s, .anisotropy = s - 0.5}; });
   expect_small_steps([](double s) { return HighlightControls{.squareness = s}; });
+  expect_small_steps([](double s) { return HighlightControls{.upright = s}; });
 }
 
 TEST_F(DrawnHighlightsTest, ControlsOutOfRangeAreErrors) {
@@ -381,6 +401,7 @@ TEST_F(DrawnHighlightsTest, ControlsOutOfRangeAreErrors) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const HighlightControls& controls : {HighlightControls{.offset = {nan, 0.0}},
                                             {.offset = {0.0, 51.0}},
+                                            {.upright = 1.1},
                                             {.scale = 0.0},
                                             {.anisotropy = 1.1},
                                             {.squareness = -0.1},

@@ -273,7 +273,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
               row.unit == "deg" && row.high - row.low >= 360.0 && row.high - row.low <= 720.0)
         << row.key;
   }
-  EXPECT_EQ(count, 58);
+  EXPECT_EQ(count, 59);
 }
 
 // Fails if degrees are stored as radians or the other way round.

@@ -1,5 +1,6 @@
 #include "host/highlights/projectors/controlled_projector.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -10,6 +11,15 @@ namespace {
 // A width at anisotropy 1 over that at 0.
 constexpr double most_stretch = 4.0;
 
+/// By how much an axis of a projector turns until its up goes up the surface. Where that is level there is no
+/// such way: the turn fades out over the last 12 degrees.
+double uprighting_rad(const Projector& projector, double upright) {
+  constexpr double level = 0.2;
+  const glm::dvec3 y(0.0, 1.0, 0.0), way_up = y - glm::dot(y, projector.normal) * projector.normal;
+  const double turn_rad = std::atan2(-glm::dot(way_up, projector.right), glm::dot(way_up, projector.up));
+  return upright * std::min(1.0, glm::length(way_up) / level) * turn_rad;
+}
+
 }  // namespace
 
 Projector reshaped(const Projector& projector, const HighlightControls& controls) {
@@ -18,7 +28,8 @@ Projector reshaped(const Projector& projector, const HighlightControls& controls
   const double stretch = evened * std::pow(most_stretch, controls.anisotropy);
   result.width_m *= controls.scale * stretch;
   result.height_m *= controls.scale / stretch;
-  const double cosine = std::cos(controls.rotation_rad), sine = std::sin(controls.rotation_rad);
+  const double turn_rad = controls.rotation_rad + uprighting_rad(projector, controls.upright);
+  const double cosine = std::cos(turn_rad), sine = std::sin(turn_rad);
   result.right = cosine * projector.right + sine * projector.up;
   result.up = cosine * projector.up - sine * projector.right;
   return result;

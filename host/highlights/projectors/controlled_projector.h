@@ -12,7 +12,7 @@ struct PlacedProjector {
   SurfacePlace place;
 };
 
-/// Widths changed by squareness, anisotropy and scale, in this order, and axes by the rotation.
+/// Widths changed by squareness, anisotropy and scale, in this order, and axes by upright and the rotation.
 Projector reshaped(const Projector& projector, const HighlightControls& controls);
 
 /// The same `way_m` further, in its own right and up, over the surface: its middle and its axes go along.

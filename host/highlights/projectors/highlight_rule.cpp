@@ -31,6 +31,7 @@ void require_valid(const HighlightRule& rule) {
   require_within("highlight.offset", controls.offset.x, -most_offset, most_offset);
   require_within("highlight.offset", controls.offset.y, -most_offset, most_offset);
   require_within("highlight.rotation_rad", controls.rotation_rad, -1e6, 1e6);
+  require_within("highlight.upright", controls.upright, 0.0, 1.0);
   require_within("highlight.scale", controls.scale, 1e-3, 1e3);
   require_within("highlight.anisotropy", controls.anisotropy, -1.0, 1.0);
   require_within("highlight.squareness", controls.squareness, 0.0, 1.0);

@@ -25,11 +25,13 @@ constexpr int most_copies = 64;
 struct HighlightControls {
   glm::dvec2 offset{0.0};     ///< over the surface, along e_max and e_min, in half widths
   double rotation_rad = 0.0;  ///< about the normal, from right toward up
-  double scale = 1.0;         ///< of both widths
-  double anisotropy = 0.0;    ///< -1 ... 1: longer along right (above 0) or up, 16 times at 1; the area stays
-  double squareness = 0.0;    ///< 0 as found ... 1 both widths alike, the area stays
-  int split = 1;              ///< copies side by side along right, as wide as the one in all
-  double split_gap = 0.25;    ///< between copies, in widths of one
+  /// 0 axes as found ... 1 up is the way up the surface, toward the mesh's +y, as near as rotation leaves it
+  double upright = 0.0;
+  double scale = 1.0;       ///< of both widths
+  double anisotropy = 0.0;  ///< -1 ... 1: longer along right (above 0) or up, 16 times at 1; the area stays
+  double squareness = 0.0;  ///< 0 as found ... 1 both widths alike, the area stays
+  int split = 1;            ///< copies side by side along right, as wide as the one in all
+  double split_gap = 0.25;  ///< between copies, in widths of one
   HighlightTexture texture = HighlightTexture::dot;
   int picture = -1;        ///< of image and normal_map: index into the world's pictures
   glm::dvec3 colour{1.0};  ///< linear Rec.709, times the light's
