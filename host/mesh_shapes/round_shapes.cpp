@@ -2,6 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "host/mesh_shapes/shape_parts.h"
 
@@ -51,6 +55,51 @@ LevelSet head_at(const glm::dvec3& position) {
   return sum;
 }
 
+SymmetricTensor symmetric_product(double factor, const glm::dvec3& a, const glm::dvec3& b) {
+  SymmetricTensor sum = outer_square(factor, a + b);
+  sum += outer_square(-factor, a);
+  sum += outer_square(-factor, b);
+  return sum;
+}
+
+/// sin(8 x) sin(8 y) sin(8 z) of a direction, with the derivatives over its three numbers.
+LevelSet bump_at(const glm::dvec3& direction) {
+  constexpr double rate = 8.0;  // some 60 bumps and as many hollows
+  const glm::dvec3 s = glm::sin(rate * direction), c = rate * glm::cos(rate * direction);
+  const double value = s.x * s.y * s.z, bend = -rate * rate * value;
+  return {.value = value,
+          .gradient = {c.x * s.y * s.z, s.x * c.y * s.z, s.x * s.y * c.z},
+          .hessian = {.xx = bend,
+                      .xy = c.x * c.y * s.z,
+                      .xz = c.x * s.y * c.z,
+                      .yy = bend,
+                      .yz = s.x * c.y * c.z,
+                      .zz = bend}};
+}
+
+/// |p| - 1 - height bump(p / |p|) where it is 0. Of a function F of the direction u alone with gradient g and
+/// second derivatives G there, those over p are P g / |p| and
+/// (P G P - (u.g) P - u (P g)^T - (P g) u^T) / |p|^2, P being the projection across u.
+LevelSet bumpy_at(const glm::dvec3& direction, double height) {
+  const LevelSet bump = bump_at(direction);
+  const double radius = 1.0 + height * bump.value;
+  const double along = glm::dot(direction, bump.gradient);
+  const glm::dvec3 across = bump.gradient - along * direction;
+  const glm::dvec3 pulled = bump.hessian * direction;  // G u
+  SymmetricTensor projection{.xx = 1.0, .yy = 1.0, .zz = 1.0};
+  projection += outer_square(-1.0, direction);
+  SymmetricTensor second = bump.hessian;  // P G P = G - u (G u)^T - (G u) u^T + (u.G u) u u^T
+  second += symmetric_product(-1.0, direction, pulled);
+  second += outer_square(glm::dot(direction, pulled), direction);
+  second += -along * projection;
+  second += symmetric_product(-1.0, direction, across);
+  const double share = -height / (radius * radius);
+  LevelSet surface{
+      .value = 0.0, .gradient = direction - height / radius * across, .hessian = 1.0 / radius * projection};
+  surface.hessian += share * second;
+  return surface;
+}
+
 /// How far from the middle a ray leaves the head.
 double head_radius(const glm::dvec3& direction) {
   // Beyond 3 radii all lumps together are below 1, in the middle they are above.
@@ -80,6 +129,25 @@ Shape make_ellipsoid(const glm::dvec3& semi_axes_m, int level, const Roughness& 
   }
   const double mean_axis_m = (semi_axes_m.x + semi_axes_m.y + semi_axes_m.z) / 3.0;
   return shape_of(points, std::move(sphere.faces), roughness.normal_noise * sphere.edge * mean_axis_m,
+                  roughness.seed);
+}
+
+Shape make_bumpy_sphere(double radius_m, double height_m, int level, const Roughness& roughness) {
+  require_shape_size("radius", radius_m);
+  // Higher bumps would have sides that rays from the middle meet at a grazing angle.
+  require_shape_value("height of bumps", height_m, 0.0, 0.3 * radius_m);
+  Icosphere sphere = icosphere(level, roughness);
+  std::vector<SurfacePoint> points;
+  for (const glm::dvec3& direction : sphere.directions) {
+    const double height = height_m / radius_m;
+    const LevelSet there = bumpy_at(direction, height);
+    SurfacePoint point = level_set_point(radius_m * (1.0 + height * bump_at(direction).value) * direction,
+                                         there.gradient, there.hessian);
+    point.k_max_per_m /= radius_m;
+    point.k_min_per_m /= radius_m;
+    points.push_back(point);
+  }
+  return shape_of(points, std::move(sphere.faces), roughness.normal_noise * sphere.edge * radius_m,
                   roughness.seed);
 }
 

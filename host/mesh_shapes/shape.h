@@ -51,6 +51,9 @@ Shape make_sphere(double radius_m, int level, const Roughness& roughness = {});
 /// An icosphere, stretched to three semi-axes.
 Shape make_ellipsoid(const glm::dvec3& semi_axes_m, int level, const Roughness& roughness = {});
 
+/// A sphere with smooth bumps and hollows up to this height, at most 0.3 radii.
+Shape make_bumpy_sphere(double radius_m, double height_m, int level, const Roughness& roughness = {});
+
 /// About the z axis; u runs around it, v around the tube. The edge length of the roughness is that of a cell,
 /// along u and along v; noise counts in edges along v. tube_radius_m < radius_m; 3 cells or more each way.
 Shape make_torus(double radius_m, double tube_radius_m, const Grid& grid, const Roughness& roughness = {});

@@ -153,7 +153,18 @@ const std::vector<ShapeRow>& shapes() {
        .grid = {12, 48},
        .u_help = "cells from bottom to top",
        .v_help = "cells around the axis",
-       .make = [](const ShapeOrder& o) { return make_cone(o.size_m, o.numbers[0], o.grid); }}};
+       .make = [](const ShapeOrder& o) { return make_cone(o.size_m, o.numbers[0], o.grid); }},
+      {.name = "bumpy",
+       .help = "a sphere with smooth bumps and hollows",
+       .size = "radius",
+       .size_help = "between the bumps",
+       .size_flag = "--radius-m",
+       .numbers = {{"--bump-m", "height of the bumps", 0.15}},
+       .level = 5,
+       .has_truth = true,
+       .make = [](const ShapeOrder& o) {
+         return make_bumpy_sphere(o.size_m, o.numbers[0], o.level, o.roughness);
+       }}};
   return rows;
 }
 

@@ -126,7 +126,7 @@ TEST(MeshSection, FaultsAreToldWithTheirPlace) {
   } cases[] = {
       {"[[mesh]]\nshape = \"cube\"\n",
        "a.toml:3:9: mesh.shape: expected one of knot, sphere, ellipsoid, torus, saddle, head, ship, bird, "
-       "boat, box, cylinder, cone, "
+       "boat, box, cylinder, cone, bumpy, "
        "got "
        "\"cube\""},
       {"[[mesh]]\nname = \"\"\n", "a.toml:3:8: mesh.name: expected a name, got \"\""},

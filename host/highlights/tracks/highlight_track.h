@@ -33,7 +33,7 @@ struct TrackOptions {
   /// the middle, 1 at the rim), or nearer than a share of the diagonal. They are two from the larger values
   /// on.
   double unite_depth = 2.0, part_depth = 2.6;
-  double unite_share = 0.1, part_share = 0.15;
+  double unite_share = 0.14, part_share = 0.2;
   /// A point must have been there for this long before it becomes visible.
   double settle_s = 0.1;
   /// One is hidden where its light reaches less of it than the first share, until it reaches the second.

@@ -70,11 +70,13 @@ TEST(Shapes, TruthIsWhatTheirEdgesShow) {
   expect_true([](int times) { return make_torus_knot({}, {360 * times, 36 * times}); }, "torus knot");
   expect_true([](int times) { return make_saddle(3.0, {32 * times, 32 * times}); }, "saddle");
   expect_true([](int times) { return make_head(0.1, 5 + times); }, "head");
+  expect_true([](int times) { return make_bumpy_sphere(0.1, 0.002, 4 + times); }, "bumpy");
 }
 
 TEST(Shapes, AreClosedAndFaceOutward) {
   expect_closed(make_sphere(1.0, 3), 2);
   expect_closed(make_head(0.1, 3), 2);
+  expect_closed(make_bumpy_sphere(0.1, 0.015, 3), 2);
   expect_closed(make_torus(1.0, 0.4, {30, 20, Diagonals::random}), 0);
   expect_closed(make_torus_knot({}, {120, 12}), 0);
   expect_closed(make_ship(10.0, {40, 24}), 2);
@@ -118,6 +120,7 @@ TEST(Shapes, SeedsDecideWhatIsDrawn) {
 TEST(Shapes, RefuseSizesThatMakeNoShape) {
   EXPECT_THROW(make_sphere(-1.0, 3), Error);
   EXPECT_THROW(make_sphere(1.0, 10), Error);
+  EXPECT_THROW(make_bumpy_sphere(1.0, 0.5, 3), Error);
   EXPECT_THROW(make_torus(1.0, 1.0, {30, 20}), Error);
   EXPECT_THROW(make_torus(1.0, 0.4, {2, 20}), Error);
   EXPECT_THROW(make_torus_knot({.tube_radius_m = 0.9}, {120, 12}), Error);
