@@ -167,11 +167,31 @@ std::optional<std::array<double, unknowns>> solution(const std::vector<FitPoint>
   return sums.solve();
 }
 
+/// What a solution leaves of the heights: the standard deviation of points off it.
+template <std::size_t unknowns>
+double deviation_of(const std::vector<FitPoint>& points, const std::array<double, unknowns>& solution) {
+  double squares = 0.0, weights = 0.0;
+  for (const FitPoint& point : points) {
+    const auto terms = terms_at<unknowns>(point.u, point.w);
+    double rest = point.height;
+    for (std::size_t i = 0; i < unknowns; ++i) rest -= solution[i] * terms[i];
+    squares += point.weight * rest * rest;
+    weights += point.weight;
+  }
+  const double freedom = 1.0 - static_cast<double>(unknowns) / static_cast<double>(points.size());
+  return weights > 0.0 ? std::sqrt(squares / (weights * freedom)) : 0.0;
+}
+
+struct Fit {
+  VertexBend bend;
+  double deviation;  ///< of vertices off it, over lengths of the radius
+};
+
 /// Fits a quadric, or with terms up to the fourth power, to the vertices that a region holds within a radius.
 /// None where there are too few, or where the surface is none over its tangent plane.
 template <std::size_t unknowns>
-std::optional<VertexBend> fit(const UnitMesh& mesh, const Support& support, const Region& region,
-                              double radius, std::vector<FitPoint>& points) {
+std::optional<Fit> fit(const UnitMesh& mesh, const Support& support, const Region& region, double radius,
+                       std::vector<FitPoint>& points) {
   const glm::dvec3& normal = support.normals[region.vertices().front()];
   if (normal == glm::dvec3(0.0)) return {};
   const TangentFrame frame(normal);
@@ -181,7 +201,7 @@ std::optional<VertexBend> fit(const UnitMesh& mesh, const Support& support, cons
   const Quadric quadric{(*found)[0], (*found)[1], (*found)[2], (*found)[3], (*found)[4], (*found)[5]};
   constexpr double steepest = 1.7;  // 60 degrees
   if (!(quadric.tilt_u * quadric.tilt_u + quadric.tilt_w * quadric.tilt_w < steepest * steepest)) return {};
-  return bend_of(quadric, frame, normal, radius);
+  return Fit{bend_of(quadric, frame, normal, radius), deviation_of(points, *found)};
 }
 
 double median_of(std::vector<double>& values) {
@@ -209,17 +229,7 @@ Roughness roughness_of(const UnitMesh& mesh, const Support& support, double radi
     take_points(mesh, support, region, TangentFrame(normal), radius, points);
     const auto found = solution<quartic_unknowns>(points);
     if (!found) continue;
-    double squares = 0.0, weights = 0.0;
-    for (const FitPoint& point : points) {
-      const auto terms = terms_at<quartic_unknowns>(point.u, point.w);
-      double rest = point.height;
-      for (std::size_t i = 0; i < quartic_unknowns; ++i) rest -= (*found)[i] * terms[i];
-      squares += point.weight * rest * rest;
-      weights += point.weight;
-    }
-    const double freedom = 1.0 - static_cast<double>(quartic_unknowns) / static_cast<double>(points.size());
-    if (!(weights > 0.0)) continue;
-    deviations.push_back(std::sqrt(squares / (weights * freedom)));
+    deviations.push_back(deviation_of(points, *found));
     bends.push_back(std::max(std::abs((*found)[3]), std::abs((*found)[5])));
   }
   if (deviations.size() < least_samples) return {};
@@ -230,18 +240,17 @@ Roughness roughness_of(const UnitMesh& mesh, const Support& support, double radi
 struct FitSize {
   double radius;
   bool is_quartic;
+  double noise = 0.0;  ///< standard deviation of vertices off the surface, where it is quartic
 };
 
 constexpr double usual_edges = 3.5;
-// Near a border, where half of a ball is empty, terms of higher powers are left open by noise.
-constexpr double noisy_border_edges = 9.0;
 
 /// The error that noise makes of curvatures falls with the cube of the radius. The bias grows with its
 /// square; terms up to the fourth power take most of it away. Both were measured: docs/meshes.md.
 FitSize size_for(const UnitMesh& mesh, const Support& support) {
   constexpr double least_noise_edges = 0.004;  // of an edge: less is not worth a wider ball
-  constexpr double wide_edges = 11.0;          // for noise of 0.02 edges
-  constexpr double least_edges = 6.0, most_edges = 14.0;
+  constexpr double wide_edges = 13.0;          // for noise of 0.02 edges
+  constexpr double least_edges = 6.0, most_edges = 16.0;
   constexpr double most_bend = 1.2;  // radians within a ball: else the surface is no height over its plane
   const FitSize usual{usual_edges * mesh.mean_edge, false};
   const Roughness rough = roughness_of(mesh, support, usual.radius);
@@ -249,23 +258,41 @@ FitSize size_for(const UnitMesh& mesh, const Support& support) {
   if (noise_edges < least_noise_edges) return usual;
   const double wanted_edges = std::clamp(wide_edges * std::cbrt(noise_edges / 0.02), least_edges, most_edges);
   const double edges = std::min(wanted_edges, most_bend * usual_edges / rough.bend);
-  return edges < least_edges ? usual : FitSize{edges * mesh.mean_edge, true};
+  if (edges < least_edges) return usual;
+  return {edges * mesh.mean_edge, true, noise_edges * mesh.mean_edge};
+}
+
+/// Fits a quartic that leaves no more than noise: where the surface has smaller features than the ball, that
+/// shrinks. Half of a ball at a border is empty, so that it has to be wider there.
+std::optional<VertexBend> quartic_bend(const UnitMesh& mesh, const Support& support, std::uint32_t vertex,
+                                       const FitSize& size, Region& region, std::vector<FitPoint>& points) {
+  constexpr double border_edges = 24.0, least_edges = 5.0, shrinking = 0.8;
+  constexpr double most_noise = 1.4;  // in a ball; a lower limit takes chance for features
+  region.grow_vertices(vertex, size.radius);
+  const bool has_border =
+      std::ranges::any_of(region.vertices(), [&](std::uint32_t other) { return mesh.on_border[other] != 0; });
+  double reach = has_border ? std::max(size.radius, border_edges * mesh.mean_edge) : size.radius;
+  std::optional<Fit> found;
+  for (; reach >= least_edges * mesh.mean_edge; reach *= shrinking) {
+    region.grow_vertices(vertex, reach);
+    const std::optional<Fit> closer = fit<quartic_unknowns>(mesh, support, region, reach, points);
+    if (closer) found = closer;
+    if (closer && closer->deviation * reach <= most_noise * size.noise) break;
+  }
+  if (!found) return {};
+  return found->bend;
 }
 
 /// Fits to the vertices around one within a radius.
 std::optional<VertexBend> bend_at(const UnitMesh& mesh, const Support& support, std::uint32_t vertex,
-                                  FitSize size, Region& region, std::vector<FitPoint>& points) {
-  region.grow_vertices(vertex, size.radius);
+                                  const FitSize& size, Region& region, std::vector<FitPoint>& points) {
   if (size.is_quartic) {
-    const bool has_border = std::ranges::any_of(
-        region.vertices(), [&](std::uint32_t other) { return mesh.on_border[other] != 0; });
-    std::optional<VertexBend> bend;
-    if (!has_border) bend = fit<quartic_unknowns>(mesh, support, region, size.radius, points);
-    if (bend) return bend;
-    size.radius = std::min(size.radius, noisy_border_edges * mesh.mean_edge);
-    region.grow_vertices(vertex, size.radius);
+    if (const auto bend = quartic_bend(mesh, support, vertex, size, region, points)) return bend;
   }
-  return fit<quadric_unknowns>(mesh, support, region, size.radius, points);
+  region.grow_vertices(vertex, size.radius);
+  const std::optional<Fit> found = fit<quadric_unknowns>(mesh, support, region, size.radius, points);
+  if (!found) return {};
+  return found->bend;
 }
 
 }  // namespace
@@ -285,8 +312,8 @@ void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, std::op
       std::optional<VertexBend> bend;
       double reach = size.radius;
       for (int i = 0; i < most_tries && !bend && measures.areas[vertex] > 0.0; ++i, reach *= 2.0) {
-        bend = bend_at(mesh, support, static_cast<std::uint32_t>(vertex), {reach, size.is_quartic}, region,
-                       points);
+        bend = bend_at(mesh, support, static_cast<std::uint32_t>(vertex),
+                       {reach, size.is_quartic, size.noise}, region, points);
       }
       if (bend || !(measures.areas[vertex] > 0.0)) return sink.put(vertex, bend.value_or(VertexBend{}));
       is_open[vertex] = 1;

@@ -87,27 +87,45 @@ double rms_percent(const VertexCurvatures& found, const VertexCurvatures& truth)
   return 100.0 * std::sqrt(sum / static_cast<double>(truth.k_max_per_m.size()));
 }
 
+enum class Faults { none, folds };
+
+/// Of the default method on a shape with this noise, in edges.
+template <class Make>
+double scan_error_percent(const Make& make, double noise, Faults faults = Faults::none) {
+  const Shape clean = make(Roughness{.jitter = 0.25, .seed = 7});
+  const TriangleMesh mesh = make(Roughness{.jitter = 0.25, .normal_noise = noise, .seed = 7}).mesh;
+  return rms_percent(vertex_curvatures(faults == Faults::folds ? with_folds(mesh) : mesh).curvatures,
+                     *clean.truth);
+}
+
 // Noise of 2 % of an edge, and folds. Fails if the default takes either for the surface: a ball of 3.5 edges
-// makes noise of 2 % seventeen times the clean error. Measured (clean, folds, both): ellipsoid 0.44, 0.55,
-// 1.0; torus 0.27, 0.41, 0.52; head 5.4, 5.7, 14.4.
+// makes noise of 2 % seventeen times the clean error, one of 11 edges everywhere leaves 14 % on a head.
+// Measured (clean, folds, both): ellipsoid 0.44, 0.55, 0.83; torus 0.27, 0.41, 0.59; head 5.4, 5.7, 5.2.
 TEST(CurvatureOfScans, DefaultsStayWithinThreeTimesTheCleanError) {
-  const auto expect_robust = [](const std::string& name, const auto& make) {
-    const Shape clean = make(Roughness{.jitter = 0.25, .seed = 7});
-    const Shape noisy = make(Roughness{.jitter = 0.25, .normal_noise = 0.02, .seed = 7});
-    const auto error = [&](const TriangleMesh& mesh) {
-      return rms_percent(vertex_curvatures(mesh).curvatures, *clean.truth);
-    };
-    const double least = error(clean.mesh), folded = error(with_folds(clean.mesh));
-    const double both = error(with_folds(noisy.mesh));
+  const auto expect_robust = [](const std::string& name, double most, const auto& make) {
+    const double least = scan_error_percent(make, 0.0), folded = scan_error_percent(make, 0.0, Faults::folds);
+    const double both = scan_error_percent(make, 0.02, Faults::folds);
     testing::Test::RecordProperty(name, fmt::format("{:.3f} {:.3f} {:.3f}", least, folded, both));
-    EXPECT_LE(folded, 3.0 * least) << name;
-    EXPECT_LE(both, 3.0 * least) << name;
+    EXPECT_LE(folded, most * least) << name;
+    EXPECT_LE(both, most * least) << name;
   };
-  expect_robust("ellipsoid", [](const Roughness& r) { return make_ellipsoid({1.0, 0.75, 0.5}, 5, r); });
-  expect_robust("torus", [](const Roughness& r) {
+  expect_robust("ellipsoid", 3.0, [](const Roughness& r) { return make_ellipsoid({1.0, 0.75, 0.5}, 5, r); });
+  expect_robust("torus", 3.0, [](const Roughness& r) {
     return make_torus(1.0, 0.4, {160, 64, Diagonals::random}, r);
   });
-  expect_robust("head", [](const Roughness& r) { return make_head(1.0, 5, r); });
+  expect_robust("head", 1.2, [](const Roughness& r) { return make_head(1.0, 5, r); });
+}
+
+// At a border half of a ball is empty: one of 9 edges leaves six times the clean error. Measured 0.52 and
+// 1.40 %.
+TEST(CurvatureOfScans, BordersStayWithinThreeTimesTheCleanError) {
+  const auto saddle = [](const Roughness& r) { return make_saddle(1.0, {100, 100, Diagonals::random}, r); };
+  EXPECT_LE(scan_error_percent(saddle, 0.02), 3.0 * scan_error_percent(saddle, 0.0));
+}
+
+// A fit is exact on spheres, so that there is no clean error to compare with. Measured 0.68 %.
+TEST(CurvatureOfScans, NoiseOnASphereIsAveragedOut) {
+  EXPECT_LE(scan_error_percent([](const Roughness& r) { return make_sphere(1.0, 5, r); }, 0.02), 1.0);
 }
 
 double mean_error_on_sphere(int level, CurvatureMethod method) {
