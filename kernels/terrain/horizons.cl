@@ -22,8 +22,8 @@ INLINE lanes rise_to(Terrain terrain, int_lanes post_x, int_lanes post_z, Rays r
                              mask_of(cell_x < field.cells_x) & mask_of(cell_z < field.cells_z);
   if (!any_lane(is_there)) return (lanes)0.0f;
   const int_lanes none = (int_lanes)0;
-  const lanes ground_m = terrain_height(terrain, select(none, cell_x, is_there), select(none, cell_z, is_there),
-                                        cells_x - convert_lanes(whole_x), cells_z - convert_lanes(whole_z), is_there);
+  const lanes ground_m = surface_place(terrain, select(none, cell_x, is_there), select(none, cell_z, is_there),
+                                        cells_x - convert_lanes(whole_x), cells_z - convert_lanes(whole_z), is_there).height_m;
   return select((lanes)0.0f, (ground_m - rays.height_m - rays.height_rest_m) / way_m + way_m * -bend, is_there);
 }
 

@@ -5,17 +5,17 @@
 //      the least or more, few where it is more than the least.
 #include "shared/terrain_light_params.h"
 
-__kernel void terrain_contrast(__global const float4 *restrict image, int width_px, int height_px, float least_contrast,
+__kernel void terrain_contrast(__global const float4 *restrict edges, int width_px, int height_px, float least_contrast,
                                __global uchar *restrict needs) {
   const int x = (int)get_global_id(0), y = (int)get_global_id(1);
   const int row = y * width_px;
-  const float4 here = image[row + x];
+  const float4 here = edges[row + x];
   const int beside[4] = {row + max(x - 1, 0), row + min(x + 1, width_px - 1), max(y - 1, 0) * width_px + x,
                          min(y + 1, height_px - 1) * width_px + x};
   const float4 luminance = (float4)(0.2126f, 0.7152f, 0.0722f, 0.0f);
   uchar need = TERRAIN_ONE_RAY;
   for (int i = 0; i < 4; ++i) {
-    const float4 there = image[beside[i]];
+    const float4 there = edges[beside[i]];
     const float4 difference = fabs(here - there);
     const float most = max(difference.x, max(difference.y, difference.z));
     const float least = least_contrast * max(dot(here, luminance), dot(there, luminance));

@@ -41,7 +41,7 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
-    const Colours seen = terrain_light(scenery, rays, on_ground);
+    const Colours seen = terrain_light(scenery, rays, on_ground).seen;
     sum.red += seen.red;
     sum.green += seen.green;
     sum.blue += seen.blue;

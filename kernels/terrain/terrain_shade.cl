@@ -5,7 +5,7 @@
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
 //      terrain/open_sky.cl: of none of these, anything.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
-//      or what they hit is under water.
+//      or what they hit is under water; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
 #include "terrain/image_rays.clh"
 
@@ -42,7 +42,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
-                            __global float4 *restrict image) {
+                            __global float4 *restrict image, __global float4 *restrict edges) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
@@ -54,17 +54,21 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
       terrain.way_x = turned(view.cell_x, view.fraction_x, terrain.t_m * rays.along_x, field.cells_x);
       terrain.way_z = turned(view.cell_z, view.fraction_z, terrain.t_m * rays.along_z, field.cells_z);
 #endif
-      const Colours seen = terrain_light(&scenery, rays, terrain);
-      float values[4][LANES];
-      store_lanes(seen.red, values[0]);
-      store_lanes(seen.green, values[1]);
-      store_lanes(seen.blue, values[2]);
+      const TerrainColours colours_there = terrain_light(&scenery, rays, terrain);
+      float values[7][LANES];
+      store_lanes(colours_there.seen.red, values[0]);
+      store_lanes(colours_there.seen.green, values[1]);
+      store_lanes(colours_there.seen.blue, values[2]);
       store_lanes(select((lanes)0.0f, (lanes)1.0f, terrain.is_hit), values[3]);
+      store_lanes(colours_there.edges.red, values[4]);
+      store_lanes(colours_there.edges.green, values[5]);
+      store_lanes(colours_there.edges.blue, values[6]);
       for (int lane = 0; lane < LANES; ++lane) {
         const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
         if (x >= view.width_px || y >= view.height_px) continue;
-        image[(size_t)y * view.width_px + x] =
-            (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
+        const size_t pixel = (size_t)y * view.width_px + x;
+        image[pixel] = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
+        edges[pixel] = (float4)(values[4][lane], values[5][lane], values[6][lane], values[3][lane]);
       }
     }
   }

@@ -28,9 +28,10 @@ using terrain::Texel;
 constexpr int frames = 32;
 // Bound 0.08 of the mean light: a pixel with one ray differs from its mean by half of its contrast of 0.2 at
 // most, from frame to frame by 0.1 sqrt(2 / 3) on the mean if every pixel had as much and frames had nothing
-// to do with each other. Most have less contrast, and neighbouring frames see nearly the same. Found 0.0022
-// ... 0.0111; gate twice the worst, and 0.8 of what one ray a pixel flickers by (found 0.25 ... 0.71).
-constexpr double most_flicker = 0.022, most_of_one_ray = 0.8;
+// to do with each other. Most have less contrast, and neighbouring frames see nearly the same. Found 0.0031
+// ... 0.0162; limit 0.022. And 0.8 of what one ray a pixel flickers by (found 0.51 ... 0.68), unless that is
+// less than half a percent: on the snow of the Andes' summit one ray is as still as many, 0.0046.
+constexpr double most_flicker = 0.022, most_of_one_ray = 0.8, still = 0.005;
 constexpr Sampling one_ray{.rays = 1}, automatic{}, many_rays{.rays = 64, .least_contrast = -1.0};
 
 /// A fifth of a picture of 1280 x 720 pixels and 60 degrees, with pixels as large, around the horizon.
@@ -121,7 +122,7 @@ void expect_stillness(const std::string& name, const HeightMap& map) {
         "ray %.4f\n",
         name.c_str(), way, of_many.change, found.change, of_one.change, found.flicker, of_one.flicker);
     EXPECT_LE(found.flicker, most_flicker) << name << ", " << way;
-    EXPECT_LE(found.flicker, most_of_one_ray * of_one.flicker) << name << ", " << way;
+    EXPECT_LE(found.flicker, std::max(most_of_one_ray * of_one.flicker, still)) << name << ", " << way;
   }
 }
 

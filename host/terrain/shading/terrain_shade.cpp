@@ -77,7 +77,10 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   require_room("hits", pixels, hits.size());
   require_room("image", pixels, image.size());
   pixels_ = pixels;
-  if (needs_.size() < pixels) needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
+  if (needs_.size() < pixels) {
+    needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
+    edges_ = ocl::Buffer<Texel>(device_, pixels, "terrain edges");
+  }
   TerrainLook device_look{};
   device_look.hidden_below_m = static_cast<float>(look.sea.below_m);
   device_look.hidden_bend_perm = static_cast<float>(look.sea.bend_perm);
@@ -93,10 +96,10 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   if (!refines_all) {
     kernels.shade.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
                          terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
-                         shares, shadow, shadow_map, image);
+                         shares, shadow, shadow_map, image, edges_);
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
-        {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
+        {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, edges_,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
   kernels.refine.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,

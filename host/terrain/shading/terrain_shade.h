@@ -41,7 +41,8 @@ struct TerrainIllumination {
 
 /// Rays a pixel. All pixels get one. Those whose light differs from that of a neighbour by more than a share
 /// of the brighter one's luminance get a quarter of `rays` of their own instead, and all of them where it
-/// differs by four times as much or where the ground ends; they are spread evenly over the pixel.
+/// differs by four times as much or where the ground ends; they are spread evenly over the pixel. The light
+/// is that of ground without relief, and greyer: materials are filtered over the pixel as they are computed.
 struct Sampling {
   int rays = 16;                ///< 1 ... 4096; 1: no pixel gets more
   double least_contrast = 0.2;  ///< below 0: all pixels get all of them
@@ -111,6 +112,7 @@ class TerrainShade {
   ocl::Buffer<std::uint8_t> no_shares_;
   ocl::Buffer<Texel> no_shadow_;
   ocl::Buffer<std::uint8_t> needs_;  // [height_px][width_px]
+  ocl::Buffer<Texel> edges_;         // the same, of terrain_shade.cl
   std::size_t pixels_ = 0;           // of the last picture
 };
 
