@@ -88,7 +88,11 @@ std::optional<glm::dvec2> MiniMap::draw(const Camera& camera, PanelLayout& layou
   layout.place_low_right();
   ImGui::Begin("Map", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const ImVec2 size(static_cast<float>(width_px_), static_cast<float>(height_px_));
+  // In a low window smaller, so that panels at the right have room above it.
+  constexpr float most_share = 0.3f;
+  const float scale =
+      std::min(1.0f, most_share * ImGui::GetIO().DisplaySize.y / static_cast<float>(height_px_));
+  const ImVec2 size(scale * static_cast<float>(width_px_), scale * static_cast<float>(height_px_));
   ImGui::Image(texture_id(texture_.name()), size);
   std::optional<glm::dvec2> clicked;
   if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

@@ -28,11 +28,17 @@ void PanelLayout::begin() {
   right_px_ = margin();
   low_px_ = std::exchange(next_low_px_, 0.0f);
   message_px_ = std::exchange(next_message_px_, 0.0f);
+  timeline_px_ = std::exchange(next_timeline_px_, 0.0f);
+}
+
+/// Or the window's bottom without a timeline.
+float PanelLayout::timeline_top() const {
+  return screen_px().y - timeline_px_;
 }
 
 /// Above the message.
 float PanelLayout::bottom() const {
-  return std::max(least_height_em * ImGui::GetFontSize(), screen_px().y - message_px_ - margin());
+  return std::max(least_height_em * ImGui::GetFontSize(), timeline_top() - message_px_ - margin());
 }
 
 void PanelLayout::place_main(float width_em) {
@@ -93,8 +99,18 @@ void PanelLayout::end_low() {
   next_low_px_ = std::max(next_low_px_, ImGui::GetWindowHeight() + margin());
 }
 
+void PanelLayout::place_timeline() const {
+  const float width = screen_px().x - 2.0f * margin();
+  ImGui::SetNextWindowPos(ImVec2(margin(), screen_px().y - margin()), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+}
+
+void PanelLayout::end_timeline() {
+  next_timeline_px_ = ImGui::GetWindowHeight() + margin();
+}
+
 void PanelLayout::place_message() const {
-  ImGui::SetNextWindowPos(ImVec2(0.0f, screen_px().y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+  ImGui::SetNextWindowPos(ImVec2(0.0f, timeline_top()), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(screen_px().x, 0.5f * screen_px().y));
 }
 

@@ -198,21 +198,6 @@ void draw_search(ViewState& state, PanelEdits& edits) {
   if (!has_any) ImGui::TextDisabled("no value has this name");
 }
 
-void draw_clock(ViewState& state) {
-  const double frame_s = 1.0 / state.scene.time.frames_per_second;
-  if (ImGui::Button(state.clock.is_paused() ? "run##clock" : "pause##clock")) state.clock.toggle_pause();
-  ImGui::SameLine();
-  if (ImGui::ArrowButton("step back", ImGuiDir_Left)) state.clock.step(-frame_s);
-  ImGui::SameLine();
-  if (ImGui::ArrowButton("step forward", ImGuiDir_Right)) state.clock.step(frame_s);
-  ImGui::SameLine();
-  ImGui::Text("%.3f s", state.clock.time_s());
-  float scale = static_cast<float>(state.clock.scale());
-  if (ImGui::SliderFloat("time scale", &scale, 1.0f / 64.0f, 64.0f, "%.3g", ImGuiSliderFlags_Logarithmic)) {
-    state.clock.set_scale(scale);
-  }
-}
-
 void draw_terrain_view(ViewState& state) {
   bool shows_steps = state.terrain == TerrainShow::steps;
   if (ImGui::Checkbox("steps of rays", &shows_steps)) {
@@ -330,7 +315,6 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   ImGui::PushItemWidth(item_share * ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos();
   draw_file(edits);
-  draw_clock(state);
   draw_search(state, edits);
   draw_outliner(state, edits);
   draw_view(state, facts);
@@ -442,6 +426,9 @@ PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
   state.layout.begin();
   if (state.shows_panels) draw_main_panel(state, facts, edits);
+  if (state.shows_panels)
+    edits.scene =
+        std::max(edits.scene, draw_timeline(state.scene, state.clock, state.timeline, state.layout));
   if (state.shows_help) draw_help(state.layout);
   if (facts.terrain) draw_terrain_layers(state, facts, edits);
   if (!state.message.text.empty()) draw_message(state.message, state.layout);

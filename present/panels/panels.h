@@ -25,6 +25,7 @@
 #include "present/panels/parameter_widget.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/quality.h"
+#include "present/timeline/timeline_panel.h"
 #include "present/window/free_camera.h"
 #include "present/window/key_bindings.h"
 #include "present/window/scene_clock.h"
@@ -60,6 +61,7 @@ struct ViewState {
   scene::Scene scene;  ///< as edited; its view's camera is the one that flies
   FreeCamera camera;
   SceneClock clock;
+  Timeline timeline = {};
   WaterShow debug = WaterShow::none;
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;

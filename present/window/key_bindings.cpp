@@ -10,12 +10,17 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 38> bindings{{
+  static constexpr std::array<KeyBinding, 43> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
-      {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
+      {GLFW_KEY_SPACE, "Space", toggle_pause, "play, or pause"},
       {GLFW_KEY_PERIOD, ".", step_forward, "one frame forward, and pause"},
       {GLFW_KEY_COMMA, ",", step_back, "one frame back, and pause"},
+      {GLFW_KEY_RIGHT, "Right", step_forward, "one frame forward, and pause"},
+      {GLFW_KEY_LEFT, "Left", step_back, "one frame back, and pause"},
+      {GLFW_KEY_HOME, "Home", first_frame, "to the first frame of the scene"},
+      {GLFW_KEY_END, "End", last_frame, "to the last frame of the scene"},
+      {GLFW_KEY_L, "L", toggle_loop, "play the frames of the scene over and over"},
       {GLFW_KEY_LEFT_BRACKET, "[", slower, "halve the speed of time"},
       {GLFW_KEY_RIGHT_BRACKET, "]", faster, "double the speed of time"},
       {GLFW_KEY_BACKSPACE, "Backspace", real_time, "real time"},
@@ -29,7 +34,6 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_F12, "F12", take_screenshot, "save a picture without panels in the folder where you started"},
       {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
-      {GLFW_KEY_HOME, "Home", reset_camera, "back to the camera of the scene"},
       {GLFW_KEY_K, "K", set_keyframes, "set keyframes of the picked highlight at this time"},
       {GLFW_KEY_O, "O", next_cloud_pick,
        "choose what clicks on clouds pick: balls, clouds, particles, nothing"},
@@ -41,6 +45,7 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_Y, "Ctrl Y", redo, "redo it", GLFW_MOD_CONTROL},
+      {GLFW_KEY_0, "0", reset_camera, "back to the camera of the scene"},
       {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "go to that bookmark of the scene", 0, 9},
       {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "set that bookmark, or a new one, to this view",
        GLFW_MOD_CONTROL, 9},

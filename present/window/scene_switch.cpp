@@ -162,7 +162,7 @@ void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
   Left left = leave();
   show(next.opened, next.shown, next.time_s);
   editing_.begin_anew(next.history);
-  // The eye as it was left; Home is that of the file.
+  // The eye as it was left; key 0 goes back to that of the file.
   options_.scene.view.camera = next.opened.scene.view.camera;
   state_.camera = FreeCamera(next.opened.scene.view.camera);
   state_.camera.place(next.shown.view.camera);

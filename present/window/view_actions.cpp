@@ -35,6 +35,15 @@ bool change_view(ViewAction action, ViewState& state) {
     case ViewAction::step_back:
       clock.step(-frame_s);
       return true;
+    case ViewAction::first_frame:
+      clock.set_time(state.scene.time.start_s);
+      return true;
+    case ViewAction::last_frame:
+      clock.set_time(last_frame_s(state.scene.time));
+      return true;
+    case ViewAction::toggle_loop:
+      state.timeline.loops = !state.timeline.loops;
+      return true;
     case ViewAction::slower:
       clock.set_scale(0.5 * clock.scale());
       return true;

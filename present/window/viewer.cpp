@@ -156,7 +156,7 @@ bool Viewer::turn() {
   }
   const bool asks = quit_.is_open();
   if (!asks && intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
-  state_.clock.advance(wall_s);
+  state_.clock.advance(wall_s, played_span(state_.scene, state_.timeline));
   if (options_.recording) {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);

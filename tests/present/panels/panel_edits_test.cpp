@@ -51,7 +51,7 @@ class RefusedEditsTest : public WindowTest {
     look_at_sea();
     turn(2);
     const std::vector<unsigned char> pixels = picture();
-    press("Home");
+    press("0");
     return pixels;
   }
 };

@@ -48,7 +48,7 @@ class WindowLayoutTest : public WindowTest {
     SCOPED_TRACE(testing::Message() << width << " x " << height);
     resize(width, height);
     const std::vector<const ImGuiWindow*> all = panels();
-    EXPECT_EQ(all.size(), 5u) << "main panel, cloud editor or keys, map, legend, message";
+    EXPECT_EQ(all.size(), 6u) << "main panel, cloud editor or keys, map, legend, message, timeline";
     for (const ImGuiWindow* one : all) {
       EXPECT_GE(one->Pos.x, 0.0f) << one->Name;
       EXPECT_GE(one->Pos.y, 0.0f) << one->Name;

@@ -44,9 +44,10 @@ TEST(KeyBindingsTest, AreFoundByKeyAndModifiers) {
   expect(GLFW_KEY_Q, GLFW_MOD_CONTROL, ViewAction::quit, 1);
   expect(GLFW_KEY_ESCAPE, 0, ViewAction::deselect, 1);
   expect(GLFW_KEY_H, GLFW_MOD_ALT, ViewAction::toggle_help, 1);
+  expect(GLFW_KEY_0, 0, ViewAction::reset_camera, 1);
   EXPECT_FALSE(press_of(GLFW_KEY_H, GLFW_MOD_CONTROL));
   EXPECT_FALSE(press_of(GLFW_KEY_Z, 0));
-  EXPECT_FALSE(press_of(GLFW_KEY_0, 0));
+  EXPECT_FALSE(press_of(GLFW_KEY_X, 0));
 }
 
 // Fails if the page of the window lacks a key.

@@ -29,6 +29,23 @@ TEST(SceneClockTest, PausesAndSteps) {
   EXPECT_DOUBLE_EQ(clock.time_s(), 0.24);
 }
 
+// Fails if a loop is left at its end, or begins anew elsewhere than at its begin.
+TEST(SceneClockTest, Loops) {
+  const TimeSpan loop{1.0, 1.5};
+  SceneClock clock(1.45);
+  clock.advance(0.1, loop);
+  EXPECT_NEAR(clock.time_s(), 1.05, 1e-12);
+  clock.advance(0.1, loop);
+  EXPECT_NEAR(clock.time_s(), 1.15, 1e-12);
+  clock.set_scale(16.0);
+  clock.advance(0.25, loop);
+  EXPECT_NEAR(clock.time_s(), 1.15, 1e-12) << "eight times around";
+  clock.set_scale(1.0);
+  clock.set_time(0.0);
+  clock.advance(0.1, loop);
+  EXPECT_NEAR(clock.time_s(), 0.1, 1e-12) << "what is before it leads into it";
+}
+
 // Fails if the sea jumps after the window stood still, or a clock that was set back turns time around.
 TEST(SceneClockTest, DoesNotJump) {
   SceneClock clock(0.0);

@@ -57,7 +57,7 @@ TEST_F(WindowBookmarksTest, LeaveThePath) {
   press("1");
   turn(2);
   EXPECT_EQ(state().camera.camera().eye_m.x, 7.0);
-  press("Home");
+  press("0");
   turn();
   EXPECT_EQ(state().camera.camera().eye_m.x, 20.0);
 }

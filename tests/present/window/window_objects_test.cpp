@@ -387,7 +387,7 @@ TEST_F(WindowObjectsTest, BookmarksAreCameras) {
   const glm::dvec3 eye_m = state().camera.camera().eye_m;
   press_button("look through", 40);
   EXPECT_EQ(state().camera.camera().eye_m, state().scene.bookmarks[0].camera.eye_m);
-  press("Home");
+  press("0");
   EXPECT_EQ(state().camera.camera().eye_m, eye_m);
   press_button("place here", 150);
   EXPECT_EQ(state().scene.bookmarks[0].camera.eye_m, eye_m);

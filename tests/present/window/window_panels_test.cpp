@@ -1,4 +1,4 @@
-// What panels hold besides the parameters of the scene: clock, views, scene file, times.
+// What panels hold besides the parameters of the scene: views, scene file, times.
 #include <filesystem>
 #include <fstream>
 
@@ -16,24 +16,6 @@ namespace offing::test {
 namespace {
 
 using WindowPanelsTest = WindowTest;
-
-// Fails if the clock's buttons or its slider do not move time.
-TEST_F(WindowPanelsTest, Clock) {
-  open(quick_options());
-  const double start_s = state().clock.time_s(), frame_s = 1.0 / state().scene.time.frames_per_second;
-  click(find(main_panel(), "step forward", 82));
-  EXPECT_NEAR(state().clock.time_s(), start_s + frame_s, 1e-9);
-  click(find(main_panel(), "step back", 55));
-  EXPECT_NEAR(state().clock.time_s(), start_s, 1e-9);
-  const Spot scale = find(main_panel(), "time scale");
-  drag(scale, {scale.x + 40, scale.y});
-  EXPECT_GT(state().clock.scale(), 1.0);
-  click(find(main_panel(), "run##clock", 20));
-  EXPECT_FALSE(state().clock.is_paused());
-  EXPECT_GT(state().clock.time_s(), start_s);
-  click(find(main_panel(), "pause##clock", 20));
-  EXPECT_TRUE(state().clock.is_paused());
-}
 
 // Fails if a view shows what another one shows, cannot be chosen, or the way back is lost.
 TEST_F(WindowPanelsTest, Views) {

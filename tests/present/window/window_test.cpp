@@ -21,6 +21,7 @@ namespace {
 
 // Room for the panels and a little more: frames are quick to draw.
 constexpr int window_width = 480, window_height = 1000;
+constexpr int timeline_height = 100;
 
 unsigned id_of(ImGuiWindow* window, const std::string& label, std::optional<int> element) {
   return element ? ImHashStr(label.c_str(), 0, window->GetID(*element)) : window->GetID(label.c_str());
@@ -70,7 +71,7 @@ void WindowTest::open(const present::ViewOptions& options) {
     ASSERT_LT(glfwGetTime() - start_s, longest_s) << "the window does not get the keyboard";
     glfwWaitEventsTimeout(0.05);
   } while (glfwGetWindowAttrib(viewer_->window(), GLFW_FOCUSED) == GLFW_FALSE);
-  hands_->move_to(window_width - 20, window_height - 20);
+  hands_->move_to(window_width - 20, window_height - timeline_height - 20);
   turn(3);  // panels have their sizes
   ASSERT_TRUE(state().clock.is_paused());
   ASSERT_EQ(state().clock.time_s(), options.time_s);
@@ -209,7 +210,7 @@ void WindowTest::drop(const std::vector<std::filesystem::path>& files) {
 
 void WindowTest::look_at_sea() {
   for (int i = 0; i < 20 && state().camera.camera().pitch_rad > -0.2; ++i) {
-    drag({window_width - 60, 100}, {window_width - 60, 900});
+    drag({window_width - 60, 100}, {window_width - 60, window_height - timeline_height});
   }
   ASSERT_LT(state().camera.camera().pitch_rad, -0.1) << "the picture does not follow the mouse";
 }
@@ -231,6 +232,17 @@ int WindowTest::height() const {
 
 ImGuiWindow* WindowTest::main_panel() {
   return ImGui::FindWindowByName("Offing");
+}
+
+ImGuiWindow* WindowTest::timeline() {
+  return ImGui::FindWindowByName("Timeline");
+}
+
+WindowTest::Spot WindowTest::on_timeline(double time_s) const {
+  const ImGuiWindow& window = *timeline();
+  const float above_end_px = ImGui::GetStyle().WindowPadding.y + ImGui::GetFontSize();
+  return {static_cast<int>(std::lround(state().timeline.scale.x_px(time_s))),
+          static_cast<int>(window.Pos.y + window.Size.y - above_end_px)};
 }
 
 ImGuiWindow* WindowTest::open_list() {

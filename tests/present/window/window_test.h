@@ -69,8 +69,9 @@ class WindowTest : public testing::Test {
   int width() const;
   int height() const;
 
-  /// The main panel, the list that a combo box has opened, or the menu that a button has.
+  /// The main panel, the timeline, the list that a combo box has opened, or the menu that a button has.
   static ImGuiWindow* main_panel();
+  static ImGuiWindow* timeline();
   static ImGuiWindow* open_list();
   static ImGuiWindow* open_menu();
   /// Moves the mouse over a window, `x_px` right of its edge, then elsewhere, until it hovers the item of
@@ -83,6 +84,8 @@ class WindowTest : public testing::Test {
   void choose(const std::string& combo, const std::string& name, std::optional<int> element = {});
   /// The same of an item that ImGui knows by this id.
   Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
+  /// Where the timeline shows a time.
+  Spot on_timeline(double time_s) const;
   /// Frames go by until all clouds are made.
   void wait_for_clouds();
 

@@ -1,0 +1,202 @@
+#include "present/timeline/timeline_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "host/base/parameter_check.h"
+
+namespace offing::present {
+namespace {
+
+using Part = Timeline::Part;
+
+// The ends of a scene's time span, as the parameter table has them.
+constexpr double latest_s = 1e6;
+
+float strip_height() {
+  return 2.4f * ImGui::GetFontSize();
+}
+
+void draw_tooltip(const char* text) {
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+/// Buttons that play, step and jump, the time and its speed, in one line.
+void draw_controls(const scene::TimeSection& time, SceneClock& clock, Timeline& timeline) {
+  const float em = ImGui::GetFontSize();
+  const double frame_s = 1.0 / time.frames_per_second;
+  if (ImGui::Button(clock.is_paused() ? "play##clock" : "pause##clock", ImVec2(3.6f * em, 0.0f)))
+    clock.toggle_pause();
+  draw_tooltip("Space");
+  ImGui::SameLine();
+  if (ImGui::Button("|<##first frame")) clock.set_time(time.start_s);
+  draw_tooltip("first frame of the scene (Home)");
+  ImGui::SameLine(0.0f, 1.0f);
+  if (ImGui::ArrowButton("step back", ImGuiDir_Left)) clock.step(-frame_s);
+  draw_tooltip("one frame back (Left)");
+  ImGui::SameLine(0.0f, 1.0f);
+  if (ImGui::ArrowButton("step forward", ImGuiDir_Right)) clock.step(frame_s);
+  draw_tooltip("one frame forward (Right)");
+  ImGui::SameLine(0.0f, 1.0f);
+  if (ImGui::Button(">|##last frame")) clock.set_time(last_frame_s(time));
+  draw_tooltip("last frame of the scene (End)");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(6.0f * em);
+  double time_s = clock.time_s();
+  if (ImGui::InputDouble("##time", &time_s, 0.0, 0.0, "%.3f s", ImGuiInputTextFlags_EnterReturnsTrue))
+    clock.set_time(std::clamp(time_s, -largest_time_s, largest_time_s));
+  draw_tooltip(fmt::format("frame {:.0f}, {:g} a second; click to type a time in s",
+                           std::floor(clock.time_s() / frame_s + 1e-6), time.frames_per_second)
+                   .c_str());
+  ImGui::SameLine();
+  ImGui::Checkbox("loop", &timeline.loops);
+  draw_tooltip("play the scene's time span over and over");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(5.0f * em);
+  auto scale = static_cast<float>(clock.scale());
+  if (ImGui::SliderFloat("##time scale", &scale, 1.0f / 64.0f, 64.0f, "%.3g x", ImGuiSliderFlags_Logarithmic))
+    clock.set_scale(static_cast<double>(scale));
+  draw_tooltip("speed of time ([ and ])");
+}
+
+/// What the mouse would take hold of: an end of the span in the bar at the top, else the time.
+Part part_below(const scene::TimeSection& time, const TimeScale& scale, const ImVec2& top_left) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (mouse.y > top_left.y + 0.7f * em) return Part::time;
+  const float from_start = std::abs(mouse.x - scale.x_px(time.start_s)),
+              from_end = std::abs(mouse.x - scale.x_px(time.end_s));
+  if (std::min(from_start, from_end) > 0.5f * em) return Part::time;
+  return from_start < from_end ? Part::range_start : Part::range_end;
+}
+
+void draw_marks(ImDrawList& list, const TimeScale& scale, const ImVec2& low, const ImVec2& high) {
+  const float em = ImGui::GetFontSize();
+  const double step_s = mark_step_s(scale, 4.0f * em);
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  for (double i = std::ceil(scale.span.first_s / step_s); i * step_s <= scale.span.end_s; ++i) {
+    const float x = scale.x_px(i * step_s);
+    list.AddLine(ImVec2(x, low.y + 0.5f * em), ImVec2(x, high.y),
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.4f));
+    const std::string text = fmt::format("{:g}", i * step_s);
+    if (x + ImGui::CalcTextSize(text.c_str()).x < high.x)
+      list.AddText(ImVec2(x + 0.2f * em, low.y + 0.5f * em), colour, text.c_str());
+  }
+}
+
+void draw_span(ImDrawList& list, const scene::TimeSection& time, const Timeline& timeline,
+               const ImVec2& low) {
+  const float em = ImGui::GetFontSize();
+  const float start = timeline.scale.x_px(time.start_s), end = timeline.scale.x_px(time.end_s);
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_SliderGrab, timeline.loops ? 1.0f : 0.5f);
+  list.AddRectFilled(ImVec2(start, low.y), ImVec2(end, low.y + 0.3f * em), colour);
+  const ImU32 ends = ImGui::GetColorU32(ImGuiCol_SliderGrabActive);
+  list.AddTriangleFilled(ImVec2(start, low.y), ImVec2(start + 0.6f * em, low.y),
+                         ImVec2(start, low.y + 0.7f * em), ends);
+  list.AddTriangleFilled(ImVec2(end - 0.6f * em, low.y), ImVec2(end, low.y), ImVec2(end, low.y + 0.7f * em),
+                         ends);
+}
+
+void draw_playhead(ImDrawList& list, float x, const ImVec2& low, const ImVec2& high) {
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_PlotLinesHovered);
+  list.AddLine(ImVec2(x, low.y), ImVec2(x, high.y), colour, 2.0f);
+}
+
+void begin_drag(SceneClock& clock, Timeline& timeline, Part part) {
+  timeline.held = part;
+  timeline.is_moved = false;
+  timeline.plays_on = part == Part::time && !clock.is_paused();
+  if (timeline.plays_on) clock.toggle_pause();
+}
+
+/// Both ends stay a frame apart.
+void drag_span(scene::TimeSection& time, Part end, double wanted_s) {
+  const double frame_s = 1.0 / time.frames_per_second;
+  if (end == Part::range_start) {
+    time.start_s = std::clamp(wanted_s, 0.0, std::max(0.0, time.end_s - frame_s));
+  } else {
+    time.end_s = std::clamp(wanted_s, time.start_s + frame_s, latest_s);
+  }
+}
+
+/// What the mouse does along the strip, which is the last item.
+Edit follow_mouse(scene::TimeSection& time, SceneClock& clock, Timeline& timeline, const ImVec2& top_left) {
+  if (ImGui::IsItemActivated()) begin_drag(clock, timeline, part_below(time, timeline.scale, top_left));
+  const Part held = timeline.held;
+  if (held == Part::nothing) return Edit::none;
+  const double wanted_s =
+      nearest_frame_s(timeline.scale.time_s(ImGui::GetIO().MousePos.x), time.frames_per_second);
+  if (ImGui::IsItemActive()) {
+    const scene::TimeSection last = time;
+    held == Part::time ? clock.set_time(wanted_s) : drag_span(time, held, wanted_s);
+    if (time == last) return Edit::none;
+    timeline.is_moved = true;
+    return Edit::going_on;
+  }
+  timeline.held = Part::nothing;
+  if (std::exchange(timeline.plays_on, false) && clock.is_paused()) clock.toggle_pause();
+  return timeline.is_moved ? Edit::done : Edit::none;
+}
+
+Edit draw_strip(scene::Scene& scene, SceneClock& clock, Timeline& timeline) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::max(1.0f, ImGui::GetContentRegionAvail().x), strip_height());
+  const ImVec2 high(low.x + size.x, low.y + size.y);
+  // Times stay where they are while the mouse holds one.
+  if (timeline.held == Part::nothing) timeline.scale.span = shown_span(scene, clock.time_s());
+  const float margin = 0.5f * ImGui::GetFontSize();
+  timeline.scale.left_px = low.x + margin;
+  timeline.scale.width_px = std::max(1.0f, size.x - 2.0f * margin);
+  ImGui::InvisibleButton("strip", size);
+  const Edit edit = follow_mouse(scene.time, clock, timeline, low);
+  const Part part = timeline.held == Part::nothing && ImGui::IsItemHovered()
+                        ? part_below(scene.time, timeline.scale, low)
+                        : timeline.held;
+  if (part == Part::range_start || part == Part::range_end) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::SetTooltip("%s of the scene: %.3f s", part == Part::range_start ? "start" : "end",
+                      part == Part::range_start ? scene.time.start_s : scene.time.end_s);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, high, true);
+  list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  draw_marks(list, timeline.scale, low, high);
+  draw_span(list, scene.time, timeline, low);
+  draw_playhead(list, timeline.scale.x_px(clock.time_s()), low, high);
+  list.PopClipRect();
+  return edit;
+}
+
+}  // namespace
+
+std::optional<TimeSpan> played_span(const scene::Scene& scene, const Timeline& timeline) {
+  return timeline.loops ? loop_span(scene.time) : std::nullopt;
+}
+
+Edit draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline, PanelLayout& layout) {
+  constexpr float wide_em = 52.0f;
+  layout.place_timeline();
+  ImGui::Begin("Timeline", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  const bool is_wide = ImGui::GetContentRegionAvail().x > wide_em * ImGui::GetFontSize();
+  // In one line with the strip, which is higher.
+  const float top = ImGui::GetCursorPosY();
+  if (is_wide) ImGui::SetCursorPosY(top + 0.5f * (strip_height() - ImGui::GetFrameHeight()));
+  draw_controls(scene.time, clock, timeline);
+  if (is_wide) {
+    ImGui::SameLine();
+    ImGui::SetCursorPosY(top);
+  }
+  const Edit edit = draw_strip(scene, clock, timeline);
+  layout.end_timeline();
+  ImGui::End();
+  return edit;
+}
+
+}  // namespace offing::present

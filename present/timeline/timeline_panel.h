@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "host/scene/model/scene.h"
+#include "present/panels/panel_layout.h"
+#include "present/panels/parameter_widget.h"
+#include "present/timeline/time_scale.h"
+#include "present/window/scene_clock.h"
+
+namespace offing::present {
+
+/// What a timeline keeps from frame to frame.
+struct Timeline {
+  enum class Part { nothing, time, range_start, range_end };
+
+  bool loops = false;         ///< time runs through the scene's time span over and over
+  TimeScale scale = {};       ///< of the strip as it was drawn last
+  Part held = Part::nothing;  ///< by the mouse
+  bool plays_on = false;      ///< when the mouse lets go of the time
+  bool is_moved = false;      ///< what the mouse holds, but for the time
+};
+
+/// Draws the timeline at the bottom of the window: the time of the scene, buttons that play and step, and a
+/// strip with the scene's time span, along which the mouse drags the time and both ends of the span.
+Edit draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline, PanelLayout& layout);
+
+/// The times that are played over and over; nothing without a loop.
+std::optional<TimeSpan> played_span(const scene::Scene& scene, const Timeline& timeline);
+
+}  // namespace offing::present
