@@ -309,10 +309,8 @@ void require_outputs(const Written& written, const ViewOptions& options) {
   if (!options.recording) return;
   const Recording& recording = *options.recording;
   require_distinct({{"-o", options.output}, {"--record", recorded_as(recording, options.output)}});
-  if (recording.name) require_new_frames(*recording.name, recording.frames, written.existing, inputs);
+  require_recording(recording, inputs);
   if (recording.video.empty()) return;
-  require_video(recording.video);
-  require_new(recording.video.string(), written.existing, inputs);
   // A window has as many pixels as its display gives it; its pictures are made to fit.
   const ImageSize size = options.size.value_or(ImageSize{});
   if (!options.opens_window) require_video_size(recording.video, size.width, size.height);

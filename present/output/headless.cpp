@@ -1,6 +1,7 @@
 #include "present/output/headless.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "host/base/progress.h"
@@ -57,6 +58,20 @@ class Pictures {
   std::optional<HighlightLayer> layer_;  // where highlights stand alone
 };
 
+/// Makes all frames of a recording; `tell` hears how many are written.
+void record(Pictures& pictures, const Recording& recording, const std::function<void(int)>& tell) {
+  Recorder recorder(recording);
+  tell(0);
+  for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
+    if (!pictures.draw(frame / recording.frames_per_second, recording.first_s())) {
+      throw stopped_recording(recording, recorder.count());
+    }
+    pictures.write(recorder);
+    tell(recorder.count());
+  }
+  recorder.finish();
+}
+
 }  // namespace
 
 void make_images(const ViewOptions& options, const CancelToken& cancel) {
@@ -67,20 +82,19 @@ void make_images(const ViewOptions& options, const CancelToken& cancel) {
     print_summary("{}\n", options.output.string());
   }
   if (!options.recording) return;
-  const Recording& recording = *options.recording;
-  Recorder recorder(recording);
   {
-    Progress progress(recording.count(), "frames", options.verbosity);
-    for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
-      if (!pictures.draw(frame / recording.frames_per_second, recording.first_s())) {
-        throw stopped_recording(recording, recorder.count());
-      }
-      pictures.write(recorder);
-      progress.advance();
-    }
+    Progress progress(options.recording->count(), "frames", options.verbosity);
+    record(pictures, *options.recording, [&](int written) {
+      if (written > 0) progress.advance();
+    });
   }
-  recorder.finish();
-  print_summary("{}\n", shown_outputs(recording));
+  print_summary("{}\n", shown_outputs(*options.recording));
+}
+
+void record_frames(const ViewOptions& options, const CancelToken& cancel,
+                   const std::function<void(int)>& tell) {
+  Pictures pictures(options, cancel);
+  record(pictures, *options.recording, tell);
 }
 
 }  // namespace offing::present

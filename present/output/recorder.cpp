@@ -2,9 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "host/command_line/new_output.h"
 #include "present/output/image_file.h"
 
 namespace offing::present {
+
+void require_recording(const Recording& recording, const GivenInputs& inputs) {
+  if (recording.name) require_new_frames(*recording.name, recording.frames, recording.existing, inputs);
+  if (recording.video.empty()) return;
+  require_video(recording.video);
+  require_new(recording.video.string(), recording.existing, inputs);
+}
 
 std::string shown_outputs(const Recording& recording) {
   std::string pictures;

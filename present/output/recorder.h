@@ -6,6 +6,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/command_line/input_files.h"
 #include "host/io/atomic_file.h"
 #include "host/io/frame_name.h"
 #include "present/output/highlight_layer.h"
@@ -25,6 +26,16 @@ struct Recording {
   int count() const { return frames.last - frames.first + 1; }
   double first_s() const { return frames.first / frames_per_second; }
 };
+
+/// How far a recording is.
+struct RecordingProgress {
+  bool has_begun = false;  ///< before that, its scene is being prepared
+  int written = 0, count = 0;
+  double left_s = 0.0;  ///< until its end, if the frames to come take as long as those before
+};
+
+/// Throws, before any work is done, for what may not or cannot be written.
+void require_recording(const Recording& recording, const GivenInputs& inputs);
 
 /// What is written, a line a kind: "out_0000.png ... out_0023.png", "out.webm".
 std::string shown_outputs(const Recording& recording);

@@ -17,7 +17,7 @@ std::filesystem::path found_ffmpeg(const std::filesystem::path& file) {
   if (auto found = find_program(program)) return *found;
   throw Error(ErrorKind::file,
               fmt::format("{}: expected the program ffmpeg on PATH, found none", file.string()),
-              "install ffmpeg, or write pictures: --record out_%04d.png");
+              "install ffmpeg, or write pictures, such as out_%04d.png");
 }
 
 bool is_mp4(const std::filesystem::path& file) {

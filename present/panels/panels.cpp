@@ -426,9 +426,13 @@ PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
   state.layout.begin();
   if (state.shows_panels) draw_main_panel(state, facts, edits);
-  if (state.shows_panels)
-    edits.scene =
-        std::max(edits.scene, draw_timeline(state.scene, state.clock, state.timeline, state.layout));
+  if (state.shows_panels) {
+    const TimelineEdits timeline =
+        draw_timeline(state.scene, state.clock, state.timeline, facts.recording, state.layout);
+    edits.scene = std::max(edits.scene, timeline.scene);
+    if (timeline.wants_recording) edits.action = ViewAction::record;
+    edits.cancels_recording = timeline.cancels_recording;
+  }
   if (state.shows_help) draw_help(state.layout);
   if (facts.terrain) draw_terrain_layers(state, facts, edits);
   if (!state.message.text.empty()) draw_message(state.message, state.layout);

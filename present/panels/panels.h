@@ -100,6 +100,7 @@ struct ViewFacts {
   Quality quality = {};         ///< of the picture
   SceneList* scenes = nullptr;  ///< nullptr: no list is drawn
   ListedScene open_scene = {};
+  std::optional<RecordingProgress> recording = {};  ///< that runs
 };
 
 /// What the user asked for in one frame, and panels cannot do by themselves.
@@ -111,7 +112,8 @@ struct PanelEdits {
   bool wants_original = false;                   ///< the scene as it was when the window opened
   std::optional<ObjectEdit> object = {};         ///< for objects of the scene
   std::optional<ListedScene> wanted_scene = {};  ///< to be opened
-  std::optional<glm::dvec2> wanted_place = {};   ///< of the camera, east and south: a click on the map
+  bool cancels_recording = false;
+  std::optional<glm::dvec2> wanted_place = {};  ///< of the camera, east and south: a click on the map
 };
 
 /// Draws all panels between PanelLayer::begin() and end().

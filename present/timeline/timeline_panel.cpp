@@ -64,6 +64,40 @@ void draw_controls(const scene::TimeSection& time, SceneClock& clock, Timeline& 
   draw_tooltip("speed of time ([ and ])");
 }
 
+bool draw_record_button(bool is_recording) {
+  constexpr const char* label = "record ...";
+  stay_in_line(label);
+  ImGui::BeginDisabled(is_recording);
+  const bool is_wanted = ImGui::Button(label);
+  ImGui::EndDisabled();
+  draw_tooltip("pictures or a video of the scene (Ctrl R)");
+  return is_wanted;
+}
+
+std::string time_left(double seconds) {
+  constexpr double minute_s = 60.0, hour_s = 3600.0;
+  if (seconds > 2.0 * hour_s) return fmt::format("{:.0f} h", seconds / hour_s);
+  if (seconds > 2.0 * minute_s) return fmt::format("{:.0f} min", seconds / minute_s);
+  return fmt::format("{:.0f} s", seconds);
+}
+
+/// How far a recording is, and whether it is to end.
+bool draw_recording(const RecordingProgress& progress) {
+  constexpr const char* label = "cancel##recording";
+  std::string text = "preparing the scene to be recorded";
+  if (progress.has_begun) text = fmt::format("recorded {} of {} frames", progress.written, progress.count);
+  if (progress.written > 0) text += fmt::format(", {} left", time_left(progress.left_s));
+  const float button = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float width = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
+  // So that the text can be read on it.
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered));
+  ImGui::ProgressBar(static_cast<float>(progress.written) / static_cast<float>(progress.count),
+                     ImVec2(std::max(1.0f, width), 0.0f), text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  return ImGui::Button(label);
+}
+
 /// What the mouse would take hold of: an end of the span in the bar at the top, else the time.
 Part part_below(const scene::TimeSection& time, const TimeScale& scale, const ImVec2& top_left) {
   const float em = ImGui::GetFontSize();
@@ -178,8 +212,10 @@ std::optional<TimeSpan> played_span(const scene::Scene& scene, const Timeline& t
   return timeline.loops ? loop_span(scene.time) : std::nullopt;
 }
 
-Edit draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline, PanelLayout& layout) {
-  constexpr float wide_em = 52.0f;
+TimelineEdits draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline,
+                            const std::optional<RecordingProgress>& recording, PanelLayout& layout) {
+  constexpr float wide_em = 56.0f;
+  TimelineEdits edits;
   layout.place_timeline();
   ImGui::Begin("Timeline", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -189,14 +225,16 @@ Edit draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline, P
   const float top = ImGui::GetCursorPosY();
   if (is_wide) ImGui::SetCursorPosY(top + 0.5f * (strip_height() - ImGui::GetFrameHeight()));
   draw_controls(scene.time, clock, timeline);
+  edits.wants_recording = draw_record_button(recording.has_value());
   if (is_wide) {
     ImGui::SameLine();
     ImGui::SetCursorPosY(top);
   }
-  const Edit edit = draw_strip(scene, clock, timeline);
+  edits.scene = draw_strip(scene, clock, timeline);
+  if (recording) edits.cancels_recording = draw_recording(*recording);
   layout.end_timeline();
   ImGui::End();
-  return edit;
+  return edits;
 }
 
 }  // namespace offing::present

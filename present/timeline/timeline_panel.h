@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "host/scene/model/scene.h"
+#include "present/output/recorder.h"
 #include "present/panels/panel_layout.h"
 #include "present/panels/parameter_widget.h"
 #include "present/timeline/time_scale.h"
@@ -21,9 +22,17 @@ struct Timeline {
   bool is_moved = false;      ///< what the mouse holds, but for the time
 };
 
+/// What the user asked a timeline for in one frame.
+struct TimelineEdits {
+  Edit scene = Edit::none;
+  bool wants_recording = false, cancels_recording = false;
+};
+
 /// Draws the timeline at the bottom of the window: the time of the scene, buttons that play and step, and a
-/// strip with the scene's time span, along which the mouse drags the time and both ends of the span.
-Edit draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline, PanelLayout& layout);
+/// strip with the scene's time span, along which the mouse drags the time and both ends of the span. Below
+/// it, how far a recording is.
+TimelineEdits draw_timeline(scene::Scene& scene, SceneClock& clock, Timeline& timeline,
+                            const std::optional<RecordingProgress>& recording, PanelLayout& layout);
 
 /// The times that are played over and over; nothing without a loop.
 std::optional<TimeSpan> played_span(const scene::Scene& scene, const Timeline& timeline);

@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 43> bindings{{
+  static constexpr std::array<KeyBinding, 44> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "play, or pause"},
@@ -32,6 +32,7 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_T, "T", toggle_steps, "steps that rays take to the ground"},
       {GLFW_KEY_P, "P", pick_ray, "nodes that the ray under the mouse passes; none if it points at the sky"},
       {GLFW_KEY_F12, "F12", take_screenshot, "save a picture without panels in the folder where you started"},
+      {GLFW_KEY_R, "Ctrl R", record, "record pictures or a video of the scene", GLFW_MOD_CONTROL},
       {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
       {GLFW_KEY_K, "K", set_keyframes, "set keyframes of the picked highlight at this time"},

@@ -26,6 +26,7 @@ enum class ViewAction {
   toggle_map,
   pick_ray,
   take_screenshot,
+  record,
   reload,
   toggle_fullscreen,
   reset_camera,

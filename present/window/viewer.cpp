@@ -87,6 +87,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       intake_(options_, sea_, state_, editing_, scenes_, recent_),
       quit_(scenes_, state_),
       files_(options_, state_, editing_, scenes_, intake_, scene_list_, recent_),
+      record_(options_, state_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -161,6 +162,7 @@ bool Viewer::turn() {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);
   }
+  record_.turn();
   editing_.take_clouds();
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
@@ -183,7 +185,7 @@ void Viewer::act(KeyPress press) {
     panels_.close_popups();
     return press.action == ViewAction::save ? quit_.save() : quit_.cancel();
   }
-  if (files_.asks()) return;
+  if (files_.asks() || record_.asks()) return;
   if (files_.act(press.action) || change_view(press.action, state_) ||
       change_edits(press.action, editing_, screen()))
     return;
@@ -194,6 +196,9 @@ void Viewer::act(KeyPress press) {
       break;
     case ViewAction::pick_ray:
       pick_ray();
+      break;
+    case ViewAction::record:
+      record_.open();
       break;
     case ViewAction::take_screenshot:
       take_screenshot();
@@ -241,6 +246,12 @@ void Viewer::escape() {
 
 void Viewer::request_quit() {
   files_.close();
+  record_.close();
+  if (record_.is_recording()) {
+    state_.message = {.text = "a recording runs: cancel it, or wait for its end, then quit",
+                      .is_fault = true};
+    return;
+  }
   quit_.open();
   // A minimised window cannot ask.
   const bool is_minimised = glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE;
@@ -282,7 +293,7 @@ Screen Viewer::screen() const {
 
 void Viewer::move_camera(double wall_s) {
   CameraInput input = input_.take_camera_input();
-  if (quit_.is_open() || files_.asks()) input = {};
+  if (quit_.is_open() || files_.asks() || record_.asks()) input = {};
   if (is_on_path_ && input.moves()) leave_path();
   for (const glm::dvec2 clip : input_.take_clicks()) {
     if (pilot_.go_through(state_, sea_, clip)) leave_path();
@@ -342,7 +353,7 @@ Viewer::Drawn Viewer::show() {
     return Drawn::nothing;
   }
   const Drawn drawn = draw_sea(window_px);
-  if (drawn == Drawn::nothing && !has_panels_to_draw()) return drawn;
+  if (drawn == Drawn::nothing && !has_panels_to_draw() && !record_.is_recording()) return drawn;
   PanelEdits edits;
   {
     std::optional<StageTimes::Scope> stage;
@@ -471,6 +482,7 @@ PanelEdits Viewer::draw_panels() {
   const auto need = [&](std::string_view text) { panels_.need(text); };
   for_shown_names(state_, scene_list_, need);
   files_.for_shown_names(need);
+  record_.for_shown_names(need);
   panels_.set_look(state_.look);
   panels_.begin();
   editing_.draw(screen(), input_.pointer());
@@ -485,10 +497,14 @@ PanelEdits Viewer::draw_panels() {
                                                    .map = &map_,
                                                    .quality = shown_quality_,
                                                    .scenes = &scene_list_,
-                                                   .open_scene = listed(options_)});
+                                                   .open_scene = listed(options_),
+                                                   .recording = record_.progress()});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   files_.draw();
+  int width = 1, height = 1;
+  glfwGetFramebufferSize(window(), &width, &height);
+  record_.draw({width, height});
   quit_.draw();
   panels_.end();
   if (!panels_.is_in_use() && std::exchange(kept_look_, state_.look) != state_.look)
@@ -506,6 +522,7 @@ void Viewer::apply(const PanelEdits& edits) {
   if (edits.object) editing_.do_to_object(*edits.object, screen());
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.action) act({*edits.action});
+  if (edits.cancels_recording) record_.cancel();
   if (edits.wanted_file) files_.open(*edits.wanted_file);
   if (state_.edit.browsed) files_.browse(*std::exchange(state_.edit.browsed, {}));
   if (edits.wants_original) {

@@ -19,6 +19,7 @@
 #include "present/panels/quit_dialog.h"
 #include "present/passes/enlarge/enlarge_pass.h"
 #include "present/passes/live_sea.h"
+#include "present/timeline/record_actions.h"
 #include "present/view_options.h"
 #include "present/window/camera_pilot.h"
 #include "present/window/file_intake.h"
@@ -75,6 +76,8 @@ class Viewer {
   Quality quality() const;
   /// Frames of the recording that are written.
   int recorded() const { return recorder_ ? recorder_->count() : 0; }
+  /// Whether the user has the scene recorded, or says what is to be.
+  bool is_recording() const { return record_.is_recording() || record_.asks(); }
   LiveSea& sea() { return sea_; }
   GLFWwindow* window() const { return context_.window_handle(); }
 
@@ -138,6 +141,7 @@ class Viewer {
   QuitDialog quit_;
   SceneList scene_list_;
   FileActions files_;
+  RecordActions record_;
   std::string shown_title_;
   std::optional<std::uint64_t> titled_;  // edits and saves that the title knows of
   MiniMap map_;

@@ -21,7 +21,7 @@ namespace {
 
 // Room for the panels and a little more: frames are quick to draw.
 constexpr int window_width = 480, window_height = 1000;
-constexpr int timeline_height = 100;
+constexpr int timeline_height = 140;
 
 unsigned id_of(ImGuiWindow* window, const std::string& label, std::optional<int> element) {
   return element ? ImHashStr(label.c_str(), 0, window->GetID(*element)) : window->GetID(label.c_str());

@@ -1,0 +1,32 @@
+#include "present/output/recording_job.h"
+
+#include <utility>
+
+#include "present/output/headless.h"
+
+namespace offing::present {
+
+RecordingJob::RecordingJob(ViewOptions options) : options_(std::move(options)) {
+  progress_.count = recording().count();
+  ended_ = std::async(std::launch::async,
+                      [this] { record_frames(options_, cancel_, [this](int written) { note(written); }); });
+}
+
+void RecordingJob::note(int written) {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(progress_.has_begun, true)) begun_ = std::chrono::steady_clock::now();
+  progress_.written = written;
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
+  if (written > 0) progress_.left_s = taken.count() * (progress_.count - written) / written;
+}
+
+RecordingProgress RecordingJob::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+bool RecordingJob::has_ended() const {
+  return ended_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,108 @@
+#include "present/timeline/record_actions.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/file_presence.h"
+#include "host/scene/file/scene_files.h"
+#include "present/output/video_pipe.h"
+
+namespace offing::present {
+
+void RecordActions::open() {
+  if (options_.recording || is_recording()) {
+    state_.message = {.text = "one recording runs at a time: wait for its end, or cancel it",
+                      .is_fault = true};
+    return;
+  }
+  const scene::TimeSection& time = state_.scene.time;
+  RecordWish wish = last_.value_or(RecordWish{.size = options_.size.value_or(ImageSize{}),
+                                              .detail = options_.detail.value_or(Detail::high)});
+  wish.start_s = time.start_s;
+  wish.seconds = std::max(time.end_s - time.start_s, 1.0 / time.frames_per_second);
+  wish.frames_per_second = time.frames_per_second;
+  wish.replaces = false;
+  wish.name = unused_record_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
+  dialog_.open(wish);
+}
+
+/// Files that the user has not asked to be replaced.
+void RecordActions::refuse_taken(const Recording& recording) const {
+  const auto refuse = [&](const std::filesystem::path& file) {
+    if (!is_taken(file)) return;
+    throw Error(ErrorKind::bad_usage, fmt::format("{} is there already", one_line(file.filename().string())),
+                "choose another name, or let it be replaced");
+  };
+  if (recording.existing == Existing::replace) return;
+  if (!recording.name) return refuse(recording.video);
+  for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame)
+    refuse(recording.name->of(frame));
+}
+
+void RecordActions::begin() {
+  const RecordWish& wish = dialog_.wish();
+  try {
+    const Recording recording = recording_of(wish);
+    ViewOptions options;
+    options.scene = state_.scene;
+    options.size = ImageSize{fitting_side(recording.video, wish.size.width),
+                             fitting_side(recording.video, wish.size.height)};
+    options.detail = wish.detail;
+    options.recording = recording;
+    options.transfer = options_.transfer;
+    options.device = options_.device;
+    options.scene.set_at.clear();  // whose warnings the window has shown
+    refuse_taken(recording);
+    require_recording(recording, {scene::files_of(options.scene), options.scene.trust});
+    job_ = std::make_unique<RecordingJob>(std::move(options));
+    last_ = wish;
+    dialog_.close();
+    state_.message = {};
+  } catch (const Error& error) {
+    dialog_.refuse(fault_message(error).text);
+  }
+}
+
+std::optional<RecordingProgress> RecordActions::progress() const {
+  if (!job_) return {};
+  return job_->progress();
+}
+
+void RecordActions::cancel() {
+  if (job_) job_->cancel();
+}
+
+void RecordActions::turn() {
+  if (!job_ || !job_->has_ended()) return;
+  const std::unique_ptr<RecordingJob> job = std::move(job_);
+  const Recording& recording = job->recording();
+  try {
+    job->take();
+    state_.message = {.text = fmt::format("wrote {}", shown_outputs(recording))};
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::cancelled) {
+      state_.message = fault_message(error);
+    } else if (recording.video.empty()) {
+      const int written = job->progress().written;
+      state_.message = {
+          .text = fmt::format("cancelled: {} of {} pictures are written", written, recording.count())};
+    } else {
+      state_.message = {.text = "cancelled: no video is written"};
+    }
+  }
+}
+
+void RecordActions::for_shown_names(const std::function<void(std::string_view)>& tell) const {
+  if (!dialog_.is_open()) return;
+  tell(dialog_.wish().name);
+  tell(dialog_.fault());
+}
+
+void RecordActions::draw(ImageSize window) {
+  if (dialog_.draw(window)) begin();
+}
+
+}  // namespace offing::present

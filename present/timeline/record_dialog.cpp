@@ -1,0 +1,174 @@
+#include "present/timeline/record_dialog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "host/base/error.h"
+#include "host/scene/prepare/scene_renderer.h"
+#include "present/files/file_browser.h"
+#include "present/panels/imgui_versions.h"
+#include "present/panels/look.h"
+
+namespace offing::present {
+namespace {
+
+bool is_video(RecordFormat format) {
+  return format == RecordFormat::mp4 || format == RecordFormat::webm;
+}
+
+const char* name_ending_of(RecordFormat format) {
+  constexpr std::array<const char*, 4> endings{".mp4", ".webm", "_%04d.png", "_%04d.exr"};
+  return endings[static_cast<std::size_t>(format)];
+}
+
+void explain_item(const char* text) {
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+}  // namespace
+
+Recording recording_of(const RecordWish& wish) {
+  constexpr double last_frame = 9'999'999.0;  // as --frames takes them
+  constexpr double lowest_hz = 0.001, highest_hz = 1e6;
+  if (!(wish.frames_per_second >= lowest_hz && wish.frames_per_second <= highest_hz)) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("expected {:g} to {:g} frames/s, found {:g}", lowest_hz, highest_hz,
+                            wish.frames_per_second),
+                "films have 24 frames/s");
+  }
+  const double first = std::ceil(wish.start_s * wish.frames_per_second - 1e-9) + 0.0;  // + 0: never -0
+  const double last = first + std::round(wish.seconds * wish.frames_per_second) - 1.0;
+  if (!(first >= 0.0 && last >= first && last <= last_frame)) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("expected frames 0 to {:.0f}, found {:.0f} to {:.0f}", last_frame, first, last),
+                "record more than no seconds, from 0 s on");
+  }
+  const std::string name =
+      std::filesystem::absolute(FileBrowser().at(wish.name)).string() + name_ending_of(wish.format);
+  Recording recording{.frames = {static_cast<int>(first), static_cast<int>(last)},
+                      .frames_per_second = wish.frames_per_second,
+                      .existing = wish.replaces ? Existing::replace : Existing::keep};
+  if (is_video(wish.format)) {
+    recording.video = name;
+  } else {
+    recording.name.emplace("name", name, "out_%04d.png");
+  }
+  return recording;
+}
+
+std::string unused_record_name(const std::string& stem) {
+  std::error_code failed;
+  std::vector<std::string> names;
+  for (std::filesystem::directory_iterator entry(".", failed), end; !failed && entry != end;
+       entry.increment(failed))
+    names.push_back(entry->path().filename().string());
+  for (int number = 1;; ++number) {
+    std::string name = fmt::format("{}_{:03}", stem, number);
+    if (std::ranges::none_of(names, [&](const std::string& taken) { return taken.starts_with(name); }))
+      return name;
+  }
+}
+
+void RecordDialog::open(const RecordWish& wish) {
+  wish_ = wish;
+  fault_.clear();
+  is_open_ = focuses_seconds_ = true;
+}
+
+void RecordDialog::draw_format() {
+  const auto shown = static_cast<std::size_t>(wish_.format);
+  if (!ImGui::BeginCombo("format", record_format_names[shown])) return;
+  has_list_ = true;
+  for (std::size_t i = 0; i < record_format_names.size(); ++i) {
+    if (ImGui::Selectable(record_format_names[i], i == shown)) wish_.format = static_cast<RecordFormat>(i);
+  }
+  if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  ImGui::EndCombo();
+}
+
+void RecordDialog::draw_size(ImageSize window) {
+  constexpr int largest = scene::longest_picture_px;
+  std::array<int, 2> sides{wish_.size.width, wish_.size.height};
+  if (ImGui::InputInt2("width, height", sides.data()))
+    wish_.size = {std::clamp(sides[0], 1, largest), std::clamp(sides[1], 1, largest)};
+  struct Usual {
+    const char* label;
+    ImageSize size;
+  };
+  const std::array<Usual, 4> all{
+      {{"720p", {1280, 720}}, {"1080p", {1920, 1080}}, {"2160p", {3840, 2160}}, {"window", window}}};
+  for (const Usual& usual : all) {
+    if (&usual != &all.front()) ImGui::SameLine();
+    if (ImGui::SmallButton(usual.label)) wish_.size = usual.size;
+    explain_item(fmt::format("{} x {}", usual.size.width, usual.size.height).c_str());
+  }
+}
+
+void RecordDialog::draw_range() {
+  if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::InputDouble("seconds", &wish_.seconds, 0.0, 0.0, "%.6g");
+  ImGui::InputDouble("start, s", &wish_.start_s, 0.0, 0.0, "%.6g");
+  ImGui::InputDouble("frames/s", &wish_.frames_per_second, 0.0, 0.0, "%.6g");
+}
+
+void RecordDialog::draw_name() {
+  ImGui::InputText("name", &wish_.name);
+  try {
+    const Recording recording = recording_of(wish_);
+    const std::string first =
+        (recording.name ? recording.name->of(recording.frames.first) : recording.video).string();
+    ImGui::TextDisabled("%d frames: %d to %d", recording.count(), recording.frames.first,
+                        recording.frames.last);
+    ImGui::TextDisabled("%s%s", first.c_str(), recording.name ? " ..." : "");
+  } catch (const Error& error) {
+    ImGui::TextDisabled("%s", error.what());
+  }
+  ImGui::Checkbox("replace existing files", &wish_.replaces);
+}
+
+bool RecordDialog::draw(ImageSize window) {
+  constexpr const char* title = "Record###record dialog";
+  if (is_open_ && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(screen.x - em, 32.0f * em);
+  ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, screen.y - em));
+  constexpr ImGuiWindowFlags fixed =
+      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
+  if (!ImGui::BeginPopupModal(title, nullptr, fixed)) return false;
+  has_list_ = false;
+  ImGui::PushItemWidth(width - 10.0f * em);
+  ImGui::PushTextWrapPos(width - em);
+  draw_range();
+  draw_format();
+  draw_size(window);
+  bool is_high = wish_.detail == Detail::high;
+  if (ImGui::Checkbox("high detail", &is_high)) wish_.detail = is_high ? Detail::high : Detail::low;
+  explain_item("as --detail high of the command line; without: coarser, and faster where the CPU draws");
+  draw_name();
+  ImGui::PushStyleColor(ImGuiCol_Text, fault_colour());
+  if (!fault_.empty()) ImGui::TextUnformatted(fault_.c_str());
+  ImGui::PopStyleColor();
+  bool is_wanted = ImGui::Button("record");
+  ImGui::SameLine();
+  if (ImGui::Button("cancel")) is_open_ = false;
+  if (!has_list_ && is_pressed(ImGuiKey_Enter)) is_wanted = true;
+  if (!has_list_ && is_pressed(ImGuiKey_Escape)) is_open_ = is_wanted = false;
+  ImGui::PopTextWrapPos();
+  ImGui::PopItemWidth();
+  if (is_wanted) fault_.clear();
+  if (!is_open_) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  return is_wanted && is_open_;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "host/scene/model/scene.h"
+#include "present/output/recording_job.h"
+
+namespace offing::present {
+
+/// What the frames of a recording become.
+enum class RecordFormat { mp4, webm, png, exr };
+inline constexpr std::array<const char*, 4> record_format_names{
+    "video (.mp4)", "video (.webm)", "pictures (.png)", "scene-linear pictures (.exr)"};
+
+/// What a user asks to be recorded.
+struct RecordWish {
+  RecordFormat format = RecordFormat::mp4;
+  ImageSize size = {};
+  double start_s = 0.0, seconds = 2.0, frames_per_second = 24.0;
+  Detail detail = Detail::high;
+  std::string name = {};  ///< without its ending, and for pictures without the number
+  bool replaces = false;
+};
+
+/// The recording that is asked for. Throws Error(bad_usage) for a name or a range that cannot be.
+Recording recording_of(const RecordWish& wish);
+
+/// The first of stem_001, stem_002 ... that no file of the current folder begins with.
+std::string unused_record_name(const std::string& stem);
+
+/// A dialog of the panels in which the user says what is to be recorded. It begins with the seconds, which
+/// have the keyboard; Enter records, Esc closes the dialog.
+class RecordDialog {
+ public:
+  /// `wish`: what it shows first.
+  void open(const RecordWish& wish);
+  bool is_open() const { return is_open_; }
+  void close() { is_open_ = false; }
+  /// Stays open and says why this cannot be recorded.
+  void refuse(const std::string& fault) { fault_ = fault; }
+  /// Why not; empty without a reason.
+  const std::string& fault() const { return fault_; }
+  /// As it was edited last.
+  const RecordWish& wish() const { return wish_; }
+  /// Between PanelLayer::begin() and end(). Whether it is to be recorded.
+  bool draw(ImageSize window);
+
+ private:
+  void draw_format();
+  void draw_size(ImageSize window);
+  void draw_range();
+  void draw_name();
+
+  bool is_open_ = false, focuses_seconds_ = false, has_list_ = false;
+  RecordWish wish_;
+  std::string fault_;
+};
+
+}  // namespace offing::present

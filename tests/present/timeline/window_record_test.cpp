@@ -1,0 +1,179 @@
+// Recording from the window.
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gmock/gmock.h>
+#include <imgui.h>
+// Windows of the panels, which only ImGui knows.
+#include <imgui_internal.h>
+
+#include "host/io/png_image.h"
+#include "present/output/headless.h"
+#include "tests/present/output/stand_in_ffmpeg.h"
+#include "tests/present/window/window_test.h"
+
+namespace offing::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class WindowRecordTest : public WindowTest {
+ protected:
+  static present::ViewOptions two_frames_a_second() {
+    present::ViewOptions options = quick_options();
+    options.scene.time.frames_per_second = 2.0;
+    options.size = present::ImageSize{64, 36};
+    return options;
+  }
+  static ImGuiWindow* dialog() {
+    for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      if (window->WasActive && std::string(window->Name).ends_with("###record dialog")) return window;
+    }
+    return nullptr;
+  }
+  void wait_for_end() {
+    constexpr double longest_s = 60.0;
+    const double end_s = glfwGetTime() + longest_s;
+    while (viewer_->is_recording()) {
+      ASSERT_LT(glfwGetTime(), end_s) << "the recording never ends";
+      turn();
+    }
+    turn(2);
+  }
+  /// Files in the current folder, but for what windows remember.
+  static std::vector<std::string> files() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator("."))
+      if (entry.is_regular_file()) names.push_back(entry.path().filename().string());
+    return names;
+  }
+  static std::vector<std::uint8_t> bytes_of(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+};
+
+// Fails if a video of five seconds takes more than four steps, has another number of frames or another size,
+// or one of its frames is not the picture that the command line makes.
+TEST_F(WindowRecordTest, FiveSecondsInThreeSteps) {
+  const StandInFfmpeg ffmpeg;
+  open(two_frames_a_second());
+  look_at_sea();
+  press_with_control("r");
+  ASSERT_TRUE(viewer_->is_recording());
+  turn(2);
+  type("5");
+  press("Return");
+  wait_for_end();
+  EXPECT_THAT(message(), HasSubstr("offing_001.mp4"));
+  EXPECT_FALSE(state().message.is_fault) << message();
+  EXPECT_THAT(ffmpeg.arguments(), HasSubstr("-video_size\n64x36\n-framerate\n2\n"));
+  const std::vector<std::uint8_t> video = bytes_of("offing_001.mp4");
+  ASSERT_EQ(video.size(), 10u * 64u * 36u * 3u);
+  EXPECT_THAT(files(), testing::ElementsAre("offing_001.mp4"));
+
+  present::ViewOptions options = two_frames_a_second();
+  options.scene = state().scene;
+  viewer_.reset();
+  options.opens_window = false;
+  options.recording = {
+      .name = FrameName("--record", "a_%d.png", "a_%d.png"), .frames = {0, 9}, .frames_per_second = 2.0};
+  present::make_images(options, cancel_);
+  std::vector<std::uint8_t> pictures;
+  for (int frame = 0; frame < 10; ++frame) {
+    const RgbImage image = read_png("a_" + std::to_string(frame) + ".png");
+    pictures.insert(pictures.end(), image.rgb.begin(), image.rgb.end());
+  }
+  EXPECT_TRUE(video == pictures);
+}
+
+// Fails if a format, a size or a range that the mouse chooses is not the one of the files, or files of an
+// earlier recording are replaced.
+TEST_F(WindowRecordTest, PicturesOfAnyRange) {
+  open(two_frames_a_second());
+  click(find(timeline(), "record ...", 40));
+  turn(2);
+  ASSERT_NE(dialog(), nullptr);
+  click(find(dialog(), "start, s", 60));
+  press_with_control("a");
+  type("3");
+  click(find(dialog(), "format", 60));
+  click(find(open_menu(), "scene-linear pictures (.exr)", 20));
+  click(find(dialog(), "record", 20));
+  wait_for_end();
+  EXPECT_THAT(files(), testing::UnorderedElementsAre("offing_001_0006.exr", "offing_001_0007.exr",
+                                                     "offing_001_0008.exr", "offing_001_0009.exr"));
+  press_with_control("r");
+  turn(2);
+  press("Return");
+  wait_for_end();
+  EXPECT_THAT(files(), testing::Contains("offing_002_0000.exr")) << message();
+  EXPECT_EQ(files().size(), 8u);
+}
+
+// Fails if a recording holds up the window, its frames follow edits that come after it has begun, quitting
+// ends it, or a cancelled one leaves a part of a video.
+TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
+  const StandInFfmpeg ffmpeg;
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  type("100000");
+  press("Return");
+  turn(2);
+  ASSERT_TRUE(viewer_->is_recording());
+  press("h");
+  EXPECT_TRUE(state().shows_help);
+  press("h");
+  press("Escape");
+  press_with_control("q");
+  EXPECT_THAT(message(), HasSubstr("a recording runs"));
+  press_with_control("r");
+  EXPECT_THAT(message(), HasSubstr("one recording runs at a time"));
+  click(find(timeline(), "cancel##recording", 440));
+  wait_for_end();
+  EXPECT_EQ(message(), "cancelled: no video is written");
+  EXPECT_THAT(files(), testing::IsEmpty());
+  EXPECT_TRUE(viewer_->turn());
+}
+
+// Fails if a machine without ffmpeg closes the dialog or begins to record, or Esc does not close the dialog.
+TEST_F(WindowRecordTest, NeedsFfmpegForVideos) {
+  const StandInFfmpeg ffmpeg;
+  ffmpeg.take_away();
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  press("Return");
+  turn(2);
+  EXPECT_NE(dialog(), nullptr);
+  EXPECT_THAT(files(), testing::IsEmpty());
+  press("Escape");
+  turn(2);
+  EXPECT_EQ(dialog(), nullptr);
+  EXPECT_FALSE(viewer_->is_recording());
+}
+
+// Fails if an ffmpeg that gives up, as where the disk is full, leaves a part of a video, says more than one
+// fault, or ends the window.
+TEST_F(WindowRecordTest, FaultsAreToldOnce) {
+  const StandInFfmpeg ffmpeg("head -c 1000 > \"${last#file:}\"; echo 'No space left on device' >&2; exit 1");
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  press("Return");
+  wait_for_end();
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_THAT(message(), HasSubstr("ffmpeg failed: No space left on device\ncheck that"));
+  EXPECT_THAT(files(), testing::IsEmpty());
+  EXPECT_TRUE(viewer_->turn());
+}
+
+}  // namespace
+}  // namespace offing::test
