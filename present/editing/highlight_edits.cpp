@@ -6,6 +6,7 @@
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/scene/schema/unused_parameters.h"
+#include "present/timeline/keyframe_edits.h"
 
 namespace offing::present {
 namespace {
@@ -15,9 +16,6 @@ using scene::Parameter;
 using scene::Scene;
 
 enum class Keys { existing, all };
-
-// Keys this near in time are one: steps of a clock there and back do not add up to nothing.
-constexpr double same_time_s = 1e-6;
 
 void set_key(KeyframeTrack& track, double time_s, double value) {
   const auto place = std::lower_bound(track.keys.begin(), track.keys.end(), time_s - same_time_s,

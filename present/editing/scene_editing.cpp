@@ -102,7 +102,9 @@ bool SceneEditing::edit_sea(Edit edit) {
 void SceneEditing::take_scene(scene::Scene scene) {
   objects_.let_go();
   clouds_.let_go();  // of what it held there may be nothing any more
-  take_camera_path(state_.scene, scene);
+  // The camera stays on its path or off it, whichever it is; keyframes of the path may be edited.
+  if (!has_camera_path(state_.scene) || !has_camera_path(scene)) take_camera_path(state_.scene, scene);
+  state_.timeline.let_go();
   scene.view.camera = state_.scene.view.camera;
   state_.scene = std::move(scene);
   ++edits_;

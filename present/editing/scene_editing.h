@@ -38,6 +38,8 @@ class SceneEditing {
   void make(const std::function<std::string(scene::Scene&)>& change);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
+  /// The scene of the last edit that stands.
+  const scene::Scene& last_edit() const { return history_.now(); }
   /// Counts edits that are done, taken back or redone.
   std::uint64_t edits() const { return edits_; }
   bool can_undo() const { return history_.can_undo(); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -98,15 +99,32 @@ bool draw_recording(const RecordingProgress& progress) {
   return ImGui::Button(label);
 }
 
-/// What the mouse would take hold of: an end of the span in the bar at the top, else the time.
-Part part_below(const scene::TimeSection& time, const TimeScale& scale, const ImVec2& top_left) {
+/// What the mouse would take hold of.
+struct Below {
+  Part part = Part::time;
+  double key_s = 0.0;  ///< of keyframes
+};
+
+/// An end of the span in the bar at the top, keyframes at the bottom, else the time.
+Below what_is_below(const scene::Scene& scene, const TimeScale& scale, const ImVec2& low,
+                    const ImVec2& high) {
   const float em = ImGui::GetFontSize();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  if (mouse.y > top_left.y + 0.7f * em) return Part::time;
-  const float from_start = std::abs(mouse.x - scale.x_px(time.start_s)),
-              from_end = std::abs(mouse.x - scale.x_px(time.end_s));
-  if (std::min(from_start, from_end) > 0.5f * em) return Part::time;
-  return from_start < from_end ? Part::range_start : Part::range_end;
+  const auto distance = [&](double time_s) { return std::abs(mouse.x - scale.x_px(time_s)); };
+  float nearest = 0.5f * em;
+  Below below;
+  const auto note = [&](Part part, double time_s) {
+    if (distance(time_s) > nearest) return;
+    nearest = distance(time_s);
+    below = {part, time_s};
+  };
+  if (mouse.y < low.y + 0.7f * em) {
+    note(Part::range_start, scene.time.start_s);
+    note(Part::range_end, scene.time.end_s);
+  } else if (mouse.y > high.y - 0.8f * em) {
+    for (const double time_s : key_times(scene.tracks)) note(Part::keys, time_s);
+  }
+  return below;
 }
 
 void draw_marks(ImDrawList& list, const TimeScale& scale, const ImVec2& low, const ImVec2& high) {
@@ -141,10 +159,27 @@ void draw_playhead(ImDrawList& list, float x, const ImVec2& low, const ImVec2& h
   list.AddLine(ImVec2(x, low.y), ImVec2(x, high.y), colour, 2.0f);
 }
 
-void begin_drag(SceneClock& clock, Timeline& timeline, Part part) {
-  timeline.held = part;
+/// A diamond a time. `marked_s`: of keyframes below the mouse.
+void draw_keys(ImDrawList& list, const Tracks& tracks, const TimeScale& scale, std::optional<double> marked_s,
+               const ImVec2& high) {
+  const float em = ImGui::GetFontSize(), half = 0.32f * em, y = high.y - 0.42f * em;
+  for (const double time_s : key_times(tracks)) {
+    const float x = scale.x_px(time_s);
+    const ImVec2 left(x - half, y), top(x, y - half), right(x + half, y), bottom(x, y + half);
+    const bool is_marked = marked_s == time_s;
+    list.AddQuadFilled(
+        left, top, right, bottom,
+        ImGui::GetColorU32(is_marked ? ImGuiCol_PlotHistogramHovered : ImGuiCol_PlotHistogram));
+    list.AddQuad(left, top, right, bottom, ImGui::GetColorU32(ImGuiCol_WindowBg));
+  }
+}
+
+void begin_drag(const scene::Scene& scene, SceneClock& clock, Timeline& timeline, const Below& below) {
+  timeline.held = below.part;
   timeline.is_moved = false;
-  timeline.plays_on = part == Part::time && !clock.is_paused();
+  timeline.held_s = below.key_s;
+  if (below.part == Part::keys) timeline.before = scene.tracks;
+  timeline.plays_on = below.part == Part::time && !clock.is_paused();
   if (timeline.plays_on) clock.toggle_pause();
 }
 
@@ -158,23 +193,61 @@ void drag_span(scene::TimeSection& time, Part end, double wanted_s) {
   }
 }
 
+/// Takes what the mouse holds there, but for the time; whether that has changed the scene.
+bool drag_to(scene::Scene& scene, const Timeline& timeline, double wanted_s) {
+  if (timeline.held != Part::keys) {
+    const scene::TimeSection last = scene.time;
+    drag_span(scene.time, timeline.held, wanted_s);
+    return scene.time != last;
+  }
+  Tracks moved =
+      with_moved_keys(timeline.before, timeline.held_s, wanted_s, 1.0 / scene.time.frames_per_second);
+  if (moved == scene.tracks) return false;
+  scene.tracks = std::move(moved);
+  return true;
+}
+
 /// What the mouse does along the strip, which is the last item.
-Edit follow_mouse(scene::TimeSection& time, SceneClock& clock, Timeline& timeline, const ImVec2& top_left) {
-  if (ImGui::IsItemActivated()) begin_drag(clock, timeline, part_below(time, timeline.scale, top_left));
+Edit follow_mouse(scene::Scene& scene, SceneClock& clock, Timeline& timeline, const Below& below) {
+  if (ImGui::IsItemActivated()) begin_drag(scene, clock, timeline, below);
   const Part held = timeline.held;
   if (held == Part::nothing) return Edit::none;
   const double wanted_s =
-      nearest_frame_s(timeline.scale.time_s(ImGui::GetIO().MousePos.x), time.frames_per_second);
+      nearest_frame_s(timeline.scale.time_s(ImGui::GetIO().MousePos.x), scene.time.frames_per_second);
+  if (ImGui::IsItemActive() && held == Part::time) {
+    clock.set_time(wanted_s);
+    return Edit::none;
+  }
   if (ImGui::IsItemActive()) {
-    const scene::TimeSection last = time;
-    held == Part::time ? clock.set_time(wanted_s) : drag_span(time, held, wanted_s);
-    if (time == last) return Edit::none;
+    // A click without a move leaves keyframes between two frames where they are.
+    const bool has_begun = timeline.is_moved || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    if (!has_begun || !drag_to(scene, timeline, wanted_s)) return Edit::none;
     timeline.is_moved = true;
     return Edit::going_on;
   }
-  timeline.held = Part::nothing;
+  timeline.let_go();
   if (std::exchange(timeline.plays_on, false) && clock.is_paused()) clock.toggle_pause();
-  return timeline.is_moved ? Edit::done : Edit::none;
+  return std::exchange(timeline.is_moved, false) ? Edit::done : Edit::none;
+}
+
+void draw_tooltip_of(const scene::Scene& scene, Part part, double key_s) {
+  switch (part) {
+    case Part::range_start:
+      return ImGui::SetTooltip("start of the scene: %.3f s", scene.time.start_s);
+    case Part::range_end:
+      return ImGui::SetTooltip("end of the scene: %.3f s", scene.time.end_s);
+    case Part::keys:
+      return ImGui::SetTooltip("%.3f s: %s", key_s, values_with_keys(scene.tracks, key_s).c_str());
+    default:
+      return;
+  }
+}
+
+/// The time nearest to the mouse at which there are keyframes.
+double key_at_mouse(const scene::Scene& scene, const TimeScale& scale) {
+  const std::vector<double> times = key_times(scene.tracks);
+  return *std::ranges::min_element(
+      times, {}, [&](double time_s) { return std::abs(ImGui::GetIO().MousePos.x - scale.x_px(time_s)); });
 }
 
 Edit draw_strip(scene::Scene& scene, SceneClock& clock, Timeline& timeline) {
@@ -187,26 +260,32 @@ Edit draw_strip(scene::Scene& scene, SceneClock& clock, Timeline& timeline) {
   timeline.scale.left_px = low.x + margin;
   timeline.scale.width_px = std::max(1.0f, size.x - 2.0f * margin);
   ImGui::InvisibleButton("strip", size);
-  const Edit edit = follow_mouse(scene.time, clock, timeline, low);
-  const Part part = timeline.held == Part::nothing && ImGui::IsItemHovered()
-                        ? part_below(scene.time, timeline.scale, low)
-                        : timeline.held;
-  if (part == Part::range_start || part == Part::range_end) {
+  const Below below = what_is_below(scene, timeline.scale, low, high);
+  const Edit edit = follow_mouse(scene, clock, timeline, below);
+  Part part = timeline.held;
+  if (part == Part::nothing && ImGui::IsItemHovered()) part = below.part;
+  std::optional<double> key_s;
+  if (part == Part::keys) key_s = key_at_mouse(scene, timeline.scale);
+  if (part == Part::range_start || part == Part::range_end || part == Part::keys)
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    ImGui::SetTooltip("%s of the scene: %.3f s", part == Part::range_start ? "start" : "end",
-                      part == Part::range_start ? scene.time.start_s : scene.time.end_s);
-  }
+  draw_tooltip_of(scene, part, key_s.value_or(0.0));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, high, true);
   list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg));
   draw_marks(list, timeline.scale, low, high);
   draw_span(list, scene.time, timeline, low);
+  draw_keys(list, scene.tracks, timeline.scale, key_s, high);
   draw_playhead(list, timeline.scale.x_px(clock.time_s()), low, high);
   list.PopClipRect();
   return edit;
 }
 
 }  // namespace
+
+void Timeline::let_go() {
+  held = Part::nothing;
+  before.clear();
+}
 
 std::optional<TimeSpan> played_span(const scene::Scene& scene, const Timeline& timeline) {
   return timeline.loops ? loop_span(scene.time) : std::nullopt;

@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 44> bindings{{
+  static constexpr std::array<KeyBinding, 46> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "play, or pause"},
@@ -20,6 +20,8 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_LEFT, "Left", step_back, "one frame back, and pause"},
       {GLFW_KEY_HOME, "Home", first_frame, "to the first frame of the scene"},
       {GLFW_KEY_END, "End", last_frame, "to the last frame of the scene"},
+      {GLFW_KEY_UP, "Up", next_key, "to the next keyframe"},
+      {GLFW_KEY_DOWN, "Down", previous_key, "to the keyframe before"},
       {GLFW_KEY_L, "L", toggle_loop, "play the frames of the scene over and over"},
       {GLFW_KEY_LEFT_BRACKET, "[", slower, "halve the speed of time"},
       {GLFW_KEY_RIGHT_BRACKET, "]", faster, "double the speed of time"},

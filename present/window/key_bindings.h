@@ -14,6 +14,8 @@ enum class ViewAction {
   step_back,
   first_frame,
   last_frame,
+  next_key,
+  previous_key,
   toggle_loop,
   slower,
   faster,

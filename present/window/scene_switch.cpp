@@ -31,6 +31,15 @@ std::string text_without_camera(scene::Scene scene) {
   return scene::scene_text(scene, "");
 }
 
+/// Whether both have a path of the camera, and these differ: one that has none is one that the user has left.
+bool are_other_paths(const scene::Scene& one, const scene::Scene& other) {
+  if (!has_camera_path(one) || !has_camera_path(other)) return false;
+  scene::Scene path_of_one, path_of_other;
+  take_camera_path(one, path_of_one);
+  take_camera_path(other, path_of_other);
+  return path_of_one.tracks != path_of_other.tracks;
+}
+
 std::string shown_name(const std::string& name) {
   return name.empty() ? "the scene before" : name;
 }
@@ -64,7 +73,7 @@ SavedScene::SavedScene(const std::filesystem::path& file, scene::Scene scene) : 
 
 bool SavedScene::differs_from(const scene::Scene& scene) const {
   try {
-    return text_without_camera(scene) != text_without_camera(scene_);
+    return are_other_paths(scene, scene_) || text_without_camera(scene) != text_without_camera(scene_);
   } catch (const Error&) {  // what no file can have is in none
     return true;
   }
@@ -133,6 +142,7 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::Scene& shown, dou
   state_.renaming.reset();
   state_.clouds = {};
   state_.edit = {};
+  state_.timeline.let_go();
 }
 
 void SceneSwitch::open(OpenedScene opened) {

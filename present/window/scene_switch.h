@@ -34,7 +34,7 @@ class SavedScene {
 
   /// Whether the next save overwrites a file.
   bool has_file() const { return !file_.empty(); }
-  /// Whether anything but the camera differs.
+  /// Whether anything but the place of the camera differs.
   bool differs_from(const scene::Scene& scene) const;
   /// Writes it into the file that it was opened from or saved to last, whose comments, order and layout stay
   /// (scene_edit.h). A scene without a file is saved as `name`, which must not be there, and so is one whose

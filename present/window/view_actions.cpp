@@ -41,6 +41,12 @@ bool change_view(ViewAction action, ViewState& state) {
     case ViewAction::last_frame:
       clock.set_time(last_frame_s(state.scene.time));
       return true;
+    case ViewAction::next_key:
+      clock.set_time(key_after(state.scene.tracks, clock.time_s()).value_or(clock.time_s()));
+      return true;
+    case ViewAction::previous_key:
+      clock.set_time(key_before(state.scene.tracks, clock.time_s()).value_or(clock.time_s()));
+      return true;
     case ViewAction::toggle_loop:
       state.timeline.loops = !state.timeline.loops;
       return true;

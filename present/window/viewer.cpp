@@ -89,9 +89,9 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       files_(options_, state_, editing_, scenes_, intake_, scene_list_, recent_),
       record_(options_, state_),
       last_turn_s_(glfwGetTime()),
-      drawn_s_(options.time_s),
-      is_on_path_(has_camera_path(options.scene)) {
+      drawn_s_(options.time_s) {
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  begin_path();
   scene_list_.follow(options_.scene_file);
   if (!options_.scene_file.empty()) recent_.add(options_.scene_file);
   state_.look = kept_look_;
@@ -218,7 +218,10 @@ void Viewer::act(KeyPress press) {
     case ViewAction::undo:
     case ViewAction::redo:
       attempt([&] {
-        if (press.action == ViewAction::undo ? scenes_.undo() : scenes_.redo()) begin_scene();
+        const bool is_other_scene = press.action == ViewAction::undo ? scenes_.undo() : scenes_.redo();
+        if (is_other_scene) return begin_scene();
+        take_path(editing_.last_edit());
+        take_path(state_.scene);
       });
       break;
     case ViewAction::go_to_bookmark:
@@ -268,7 +271,7 @@ void Viewer::go_to_bookmark(std::size_t number) {
 
 void Viewer::begin_scene() {
   drawn_s_ = state_.clock.time_s();
-  is_on_path_ = has_camera_path(state_.scene);
+  begin_path();
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
   control_ = QualityControl(start_level(options_, context_.capabilities()));
@@ -323,13 +326,28 @@ double Viewer::most_frames_hz() const {
 /// From here on the camera is the user's.
 void Viewer::leave_path() {
   is_on_path_ = false;
+  state_.timeline.let_go();
   take_camera_path({}, state_.scene);
+}
+
+void Viewer::take_path(const scene::Scene& from) {
+  if (has_camera_path(from)) take_camera_path(from, path_);
+}
+
+/// Of a scene that is shown from here on: of a path that the user has left, the last edit.
+void Viewer::begin_path() {
+  path_.view = options_.scene.view;
+  path_.tracks.clear();
+  take_path(options_.scene);
+  take_path(editing_.last_edit());
+  take_path(state_.scene);
+  is_on_path_ = has_camera_path(state_.scene);
 }
 
 void Viewer::reset_camera() {
   state_.camera.reset();
-  is_on_path_ = has_camera_path(options_.scene);
-  take_camera_path(options_.scene, state_.scene);
+  is_on_path_ = has_camera_path(path_);
+  take_camera_path(path_, state_.scene);
 }
 
 /// Panels are drawn for a while after the last input: tooltips come late.
@@ -387,7 +405,7 @@ highlights::LightingAt Viewer::lighting_at(Sharpness sharpness) {
 
 void Viewer::follow_path() {
   if (!is_on_path_) return;
-  scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
+  scene::ViewScene now = scene::view_at(path_, state_.clock.time_s());
   if (sea_.terrain()) scene::stand_on_ground(*sea_.terrain(), now);
   state_.camera.place(now.camera);
 }
@@ -519,6 +537,7 @@ void Viewer::apply(const PanelEdits& edits) {
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
+  if (edits.scene != Edit::none) take_path(state_.scene);
   if (edits.object) editing_.do_to_object(*edits.object, screen());
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.action) act({*edits.action});
@@ -527,6 +546,7 @@ void Viewer::apply(const PanelEdits& edits) {
   if (state_.edit.browsed) files_.browse(*std::exchange(state_.edit.browsed, {}));
   if (edits.wants_original) {
     state_.scene = options_.scene;
+    take_path(options_.scene);
     reset_camera();
     editing_.finish(Edit::done);
   }

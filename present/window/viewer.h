@@ -88,6 +88,9 @@ class Viewer {
   void begin_scene();
   void move_camera(double wall_s);
   void leave_path();
+  /// The camera follows the path of that scene, or goes back to it; if it has none, the path stays.
+  void take_path(const scene::Scene& from);
+  void begin_path();
   void pick_ray();
   void reset_camera();
   void take_screenshot();
@@ -154,7 +157,8 @@ class Viewer {
   double panels_follow_s_ = 0.0;          // until when panels are drawn though nothing has changed
   std::uint64_t events_ = 0, deeds_ = 0;  // that were seen
   double drawn_s_;                        // time of the last picture; before the first one, of that
-  bool is_on_path_;                       // the camera follows the scene's keyframes until the user moves it
+  bool is_on_path_ = false;               // the camera follows the scene's keyframes until the user moves it
+  scene::Scene path_;  // those keyframes, as edited, and the view of the scene's file; no more
   std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
   bool is_recorded_ = false;  // the whole recording is

@@ -75,6 +75,8 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       {ViewAction::first_frame, [](const auto&, const auto& b) { return b.clock.time_s() == 0.0; }},
       {ViewAction::last_frame,
        [=](const auto&, const auto& b) { return std::abs(b.clock.time_s() + frame_s - 2.0) < 1e-9; }},
+      {ViewAction::next_key, stepped(0.0)},  // window_keyframes_test.cpp
+      {ViewAction::previous_key, stepped(0.0)},
       {ViewAction::toggle_loop,
        [](const auto& a, const auto& b) { return a.timeline.loops != b.timeline.loops; }},
       {ViewAction::slower, scaled(0.5)},

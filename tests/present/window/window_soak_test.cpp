@@ -30,9 +30,10 @@ class WindowSoakTest : public WindowTest {
   /// One thing that a user does, whichever. Not: sizes, which end where the memory does; and other scenes.
   void do_something() {
     static constexpr std::array keys{
-        "h", "Tab", "space", "period", "comma", "bracketleft", "bracketright", "BackSpace", "g",
-        "v", "F11", "Home",  "End",    "0",     "l",           "Left",         "w",         "a",
-        "s", "d",   "q",     "e",      "Escape"};
+        "h",         "Tab", "space", "period", "comma", "bracketleft", "bracketright",
+        "BackSpace", "g",   "v",     "F11",    "Home",  "End",         "Up",
+        "Down",      "0",   "l",     "Left",   "w",     "a",           "s",
+        "d",         "q",   "e",     "Escape"};
     switch (pick(0, 11)) {
       case 0:
       case 1:
