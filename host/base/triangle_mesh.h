@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -17,6 +18,20 @@ struct TriangleMesh {
   std::vector<glm::dvec3> positions_m;  ///< [vertices], finite, in the order of the source
   std::vector<glm::dvec3> normals;      ///< [vertices] unit vectors; empty if the source has none
   std::vector<TriangleIndices> faces;   ///< [faces], each index below the count of vertices
+};
+
+/// Where the vertices of a mesh that deforms are at one time; its faces stay.
+struct MeshForm {
+  std::vector<glm::dvec3> positions_m;  ///< [vertices], finite
+  std::vector<glm::dvec3> normals;      ///< [vertices], of any length; empty: those of the faces
+};
+
+/// How a mesh deforms. It holds its first form before time 0, and its last one from end_s on.
+struct Deformation {
+  std::function<MeshForm(double time_s)> form_at;  ///< the same for the same time; none: it never deforms
+  double end_s = 0.0;
+
+  explicit operator bool() const { return form_at != nullptr; }
 };
 
 /// What bends a surface at its vertices. Curvatures are in 1/m and positive where the surface is convex: a

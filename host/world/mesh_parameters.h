@@ -45,7 +45,8 @@ struct Light {
 struct MeshParameters {
   std::string name;  ///< for messages
   std::shared_ptr<const TriangleMesh> mesh;
-  std::shared_ptr<const VertexCurvatures> curvatures = {};       ///< none: made on the device
+  std::shared_ptr<const VertexCurvatures> curvatures = {};  ///< none: made on the device
+  Deformation deformation = {};  ///< of the mesh; its curvatures are then made on the device at each time
   std::function<highlights::RigidMotion(double time_s)> motion;  ///< the same for the same time
   MeshMaterial material;
   highlights::SurfaceOptions surface;

@@ -54,7 +54,9 @@ struct WorldMesh::Shown {
   }
 
   highlights::HighlightSurface surface;
-  highlights::LightingAt lighting;  // in the mesh's axes
+  std::optional<highlights::DiffusedCurvature> curvature;  // of a mesh that deforms
+  std::optional<double> formed_at_s;                       // time of the surface's form; none: at rest
+  highlights::LightingAt lighting;                         // in the mesh's axes
   std::optional<highlights::HighlightTracker> tracks;
   std::optional<highlights::HighlightDrawing> drawn;
   std::optional<double> start_s;        // of the past that the tracks have; none: they follow
@@ -65,7 +67,9 @@ struct WorldMesh::Shown {
 WorldMesh::WorldMesh(const ocl::Device& device, const MeshParameters& parameters)
     : parameters_(parameters),
       revision_(next_revision()),
-      shown_(std::make_unique<Shown>(surface_of(device, parameters))) {}
+      shown_(std::make_unique<Shown>(surface_of(device, parameters))) {
+  if (parameters.deformation) shown_->curvature.emplace(device, *parameters.mesh);
+}
 
 WorldMesh::WorldMesh(WorldMesh&&) noexcept = default;
 WorldMesh& WorldMesh::operator=(WorldMesh&&) noexcept = default;
@@ -93,10 +97,25 @@ highlights::RigidMotion WorldMesh::motion_at(double time_s) const {
   return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
 }
 
+void WorldMesh::deform_to(double time_s) {
+  const Deformation& deformation = parameters_.deformation;
+  const double form_s = std::clamp(time_s, 0.0, deformation.end_s);
+  if (!deformation || shown_->formed_at_s == form_s) return;
+  MeshForm form = deformation.form_at(form_s);
+  VertexCurvatures curvatures = shown_->curvature->of(form.positions_m);
+  shown_->surface.deform(std::move(form.positions_m), std::move(form.normals), std::move(curvatures));
+  shown_->formed_at_s = form_s;
+  revision_ = next_revision();
+}
+
 void WorldMesh::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> first_s) {
   motion_ = motion_at(time_s);
-  if (!parameters_.has_highlights) return;
+  if (!parameters_.has_highlights) {
+    deform_to(time_s);
+    return;
+  }
   shown_->lighting = [this, lighting](double past_time_s) {
+    deform_to(past_time_s);
     return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
   };
   highlights::HighlightTracker& tracks = shown_->tracks_of(parameters_.tracks);
@@ -107,11 +126,13 @@ void WorldMesh::at(double time_s, const highlights::LightingAt& lighting, std::o
   tracks.set_places(places);
   if (!has_this_past) tracks.reset(start_s);
   shown_->start_s = start_s;
-  show(tracks.shown_at(time_s), shown_->lighting(time_s));
+  const highlights::TrackState& shown = tracks.shown_at(time_s);
+  show(shown, shown_->lighting(time_s));
 }
 
 void WorldMesh::follow(double time_s, const highlights::Lighting& lighting) {
   motion_ = motion_at(time_s);
+  deform_to(time_s);
   if (!parameters_.has_highlights) return;
   const highlights::Lighting in_axes = in_mesh_axes(lighting, motion_);
   shown_->lighting = [in_axes](double) { return in_axes; };

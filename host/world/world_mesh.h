@@ -25,7 +25,8 @@ class WorldMesh {
 
   const MeshParameters& parameters() const { return parameters_; }
   bool is_visible() const { return parameters_.material.visible == MeshVisibility::on; }
-  /// Another one for each view that was ever made: what is copied from one need not be copied again.
+  /// Another one for each form of each view that was ever made: what is copied from one need not be copied
+  /// again.
   std::uint64_t revision() const { return revision_; }
   const highlights::HighlightSurface& surface() const;
 
@@ -63,6 +64,7 @@ class WorldMesh {
   struct Shown;
 
   highlights::RigidMotion motion_at(double time_s) const;
+  void deform_to(double time_s);
   void show(const highlights::TrackState& tracks, const highlights::Lighting& lighting_in_mesh_axes);
 
   MeshParameters parameters_;

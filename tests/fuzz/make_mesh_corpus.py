@@ -73,6 +73,13 @@ def stl():
     return {"text": text + "endsolid pyramid\n", "binary": binary}
 
 
+def glb(document, data):
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
 def gltf():
     positions = b"".join(struct.pack("<3f", *point) for point in POINTS)
     indices = b"".join(struct.pack("<3H", *triangle) for triangle in TRIANGLES)
@@ -92,12 +99,48 @@ def gltf():
                         {"buffer": 0, "byteOffset": len(positions), "byteLength": len(indices)}],
         "buffers": [{"byteLength": len(data)}],
     }
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
     uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
     embedded = dict(document, buffers=[{"byteLength": len(data), "uri": uri}])
-    return {"embedded": json.dumps(embedded), "binary": struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks}
+    return {"embedded": json.dumps(embedded), "binary": glb(document, data), "moving": moving_gltf()}
+
+
+def moving_gltf():
+    """A pyramid with a sparse morph and a skin; one animation of each kind moves joint and weight."""
+    parts = [
+        ("VEC3", 5126, b"".join(struct.pack("<3f", *point) for point in POINTS), 5),
+        ("SCALAR", 5123, b"".join(struct.pack("<3H", *each) for each in TRIANGLES) + bytes(2), len(TRIANGLES) * 3),
+        ("VEC4", 5121, bytes((0, 1, 0, 0)) * 5, 5),
+        ("VEC4", 5126, struct.pack("<4f", 0.5, 0.5, 0, 0) * 5, 5),
+        ("MAT4", 5126, struct.pack("<16f", 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * 2, 2),
+        ("SCALAR", 5126, struct.pack("<2f", 0, 1), 2),
+        ("VEC3", 5126, struct.pack("<6f", 0, 0, 0, 1, 2, 3), 2),
+        ("VEC4", 5126, struct.pack("<8f", 0, 0, 0, 1, 0, 0.6, 0, 0.8), 2),
+        ("SCALAR", 5126, struct.pack("<6f", 0, 0, 1, 0, 1, 0), 6),
+        ("SCALAR", 5121, bytes((4, 0, 0, 0)), 1),
+        ("VEC3", 5126, struct.pack("<3f", 0, 1, 0), 1),
+    ]
+    data, views, accessors = b"", [], []
+    for index, (kind, component, content, count) in enumerate(parts):
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+        accessors.append({"bufferView": index, "componentType": component, "count": count, "type": kind})
+        data += content
+    sparse = {"count": 1, "indices": {"bufferView": 9, "componentType": 5121}, "values": {"bufferView": 10}}
+    accessors[9:] = [{"componentType": 5126, "count": 5, "type": "VEC3", "sparse": sparse}]
+    moves = [(1, "translation", 6, "LINEAR"), (2, "rotation", 7, "STEP"), (0, "weights", 8, "CUBICSPLINE")]
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0, "skin": 0}, {"children": [2]}, {}],
+        "skins": [{"joints": [1, 2], "inverseBindMatrices": 4}],
+        "meshes": [{"weights": [0.5], "primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 2, "WEIGHTS_0": 3},
+                                                      "indices": 1, "targets": [{"POSITION": 9}]}]}],
+        "animations": [{"samplers": [{"input": 5, "output": output, "interpolation": kind}],
+                        "channels": [{"sampler": 0, "target": {"node": node, "path": path}}]}
+                       for node, path, output, kind in moves],
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(data)}],
+    }
+    return glb(document, data)
 
 
 def main():

@@ -17,6 +17,7 @@
 #include "host/io/png_image.h"
 #include "host/mesh_shapes/shape.h"
 #include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_files.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/scene/schema/unused_parameters.h"
 #include "tests/io/temporary_folder.h"
@@ -89,6 +90,39 @@ TEST(SceneMeshes, EachShapeCanBeMade) {
       EXPECT_GT(meshes[0].mesh->faces.size(), std::string(shape) == "box" ? 10u : 100u) << shape;
     }
   }
+}
+
+// Fails if the animation of a file does not begin again, begins at another time than it ends, or is not
+// scaled.
+TEST(SceneMeshes, AnimationsRepeat) {
+  const auto form_at = [&](const std::string& more, double time_s) {
+    const auto meshes = prepare_meshes(scene_of("[[mesh]]\nfile = \"gltf/moving\"\n" + more, OFFING_CORPUS));
+    return meshes.at(0).deformation.form_at(time_s).positions_m;
+  };
+  const std::vector<glm::dvec3> once_m = form_at("", 0.25);
+  EXPECT_EQ(form_at("animation_repeat = \"on\"", 2.25), once_m);
+  EXPECT_NE(form_at("", 2.25), once_m);
+  expect_near(form_at("scale = 3", 0.25)[2], 3.0 * once_m[2]);
+}
+
+// Fails if numbered files are not one mesh that deforms, if the files that a scene reads do not have them, or
+// if a sequence without files is refused without its place in the scene.
+TEST(SceneMeshes, SequencesDeform) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 3; ++i) {
+    std::ofstream(folder.path() / ("wave_" + std::to_string(i) + ".obj"))
+        << "v 0 0 0\nv 1 0 0\nv 0 " << 1 + i << " 0\nf 1 2 3\n";
+  }
+  const std::string text = "[[mesh]]\nfile = \"wave_%d.obj\"\nsequence_fps = 2\nscale = 10\n";
+  const Scene scene = scene_of(text, folder.path());
+  const auto meshes = prepare_meshes(scene);
+  expect_near(meshes[0].deformation.form_at(0.25).positions_m[2], {0, 15, 0});
+  EXPECT_EQ(meshes[0].deformation.end_s, 1.0);
+  EXPECT_EQ(files_of(scene).size(), 4u);  // the name, too
+  EXPECT_NE(refusal([&] {
+              prepare_meshes(scene_of(text, folder.path() / "none"));
+            }).find("a.toml:3:8: mesh.file: expected a mesh, got no such file"),
+            std::string::npos);
 }
 
 // Fails if a mesh stands or turns another way than the scene says: yaw is clockwise from above, so that what

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/highlights/curvature/diffused_curvature.h"
 #include "host/mesh_shapes/shape.h"
 #include "host/world/world.h"
 
@@ -138,6 +140,63 @@ TEST(WorldMeshTest, FollowsSmoothly) {
   EXPECT_LT(glm::distance(there_m, before_m), 0.001);
 }
 
+/// A sphere that grows along y by half of its radius a second, for 2 s.
+MeshParameters growing_sphere() {
+  MeshParameters parameters = mesh_of(mesh_shapes::make_sphere(1.0, 3));
+  parameters.tracks.step_s = 1.0 / 30.0;
+  parameters.deformation = {.form_at =
+                                [mesh = parameters.mesh](double time_s) {
+                                  MeshForm form{.positions_m = mesh->positions_m, .normals = {}};
+                                  for (glm::dvec3& p : form.positions_m) p.y *= 1.0 + 0.5 * time_s;
+                                  return form;
+                                },
+                            .end_s = 2.0};
+  return parameters;
+}
+
+// The same mesh by hand: fails if highlights of a mesh that deforms are not those of a tracker whose surface
+// has the form of each step, if the surface is not that of the shown time, also going back, or if what is
+// copied from it is not told of a new form, or is told without one.
+TEST(WorldMeshTest, DeformsWithTime) {
+  const ocl::Device device = ocl::Device::open();
+  const MeshParameters parameters = growing_sphere();
+  WorldMesh view(device, parameters);
+  highlights::DiffusedCurvature curvature(device, *parameters.mesh);
+  highlights::HighlightSurface surface(device, *parameters.mesh, curvature.of(parameters.mesh->positions_m));
+  highlights::TrackOptions options = parameters.tracks;
+  options.has_shadows = true;
+  highlights::HighlightTracker tracks(
+      surface,
+      [&](double time_s) {
+        MeshForm form = parameters.deformation.form_at(std::min(time_s, 2.0));
+        VertexCurvatures bends = curvature.of(form.positions_m);
+        surface.deform(std::move(form.positions_m), {}, std::move(bends));
+        return turning_light(time_s);
+      },
+      options);
+  tracks.reset(0.0);
+  for (const double time_s : {0.5, 1.51, 3.0, 1.0}) {
+    view.at(time_s, turning_light);
+    ASSERT_EQ(view.highlights().size(), 1u);
+    const highlights::TrackState& expected = tracks.shown_at(time_s);
+    ASSERT_EQ(expected.tracks.size(), 1u);
+    EXPECT_EQ(view.highlights()[0].projector, expected.tracks[0].projector) << time_s;
+    EXPECT_EQ(view.surface().mesh().positions_m, surface.mesh().positions_m) << time_s;
+    EXPECT_NEAR(view.surface().diagonal_m(),
+                std::sqrt(8.0 + 4.0 * std::pow(1.0 + 0.5 * std::min(time_s, 2.0), 2)), 0.02);
+    const std::uint64_t revision = view.revision();
+    view.at(time_s, turning_light);
+    EXPECT_EQ(view.revision(), revision) << time_s;
+  }
+  const std::uint64_t revision = view.revision();
+  view.follow(2.0, turning_light(2.0));
+  EXPECT_NE(view.revision(), revision);
+  EXPECT_NEAR(view.surface().diagonal_m(), std::sqrt(8.0 + 16.0), 0.02);
+  const std::uint64_t last = view.revision();
+  view.follow(2.1, turning_light(2.1));
+  EXPECT_EQ(view.revision(), last) << "a form is made anew after the last one";
+}
+
 // Fails if a mesh without highlights has some, or is in another place than it moves to.
 TEST(WorldMeshTest, MovesWithoutHighlights) {
   MeshParameters parameters = mesh_of(mesh_shapes::make_sphere(1.0, 1));
@@ -146,6 +205,15 @@ TEST(WorldMeshTest, MovesWithoutHighlights) {
     return highlights::RigidMotion{.translation_m = {time_s, 0.0, 0.0}};
   };
   WorldMesh view(ocl::Device::open(), parameters);
+  parameters.deformation = growing_sphere().deformation;
+  parameters.deformation.form_at = [mesh = parameters.mesh](double time_s) {
+    MeshForm form{.positions_m = mesh->positions_m, .normals = {}};
+    for (glm::dvec3& p : form.positions_m) p *= 1.0 + time_s;
+    return form;
+  };
+  WorldMesh grown(ocl::Device::open(), parameters);
+  grown.at(1.0, turning_light);
+  EXPECT_NEAR(grown.surface().diagonal_m(), 2.0 * view.surface().diagonal_m(), 1e-12);
   view.at(4.0, turning_light);
   EXPECT_EQ(view.motion().translation_m.x, 4.0);
   EXPECT_TRUE(view.highlights().empty());

@@ -53,7 +53,7 @@ void require_valid(const TriangleMesh& mesh, int rounds) {
 }  // namespace
 
 DiffusedCurvature::DiffusedCurvature(const ocl::Device& device, const TriangleMesh& mesh, int rounds)
-    : rounds_(rounds) {
+    : device_(device), rounds_(rounds) {
   require_valid(mesh, rounds);
   std::vector<std::uint32_t> first = first_at_place(mesh.positions_m);
   MeshNeighbours neighbours = mesh_neighbours(first.size(), welded_faces(mesh.faces, first));
@@ -128,30 +128,35 @@ VertexCurvatures DiffusedCurvature::read() const {
   return result;
 }
 
-VertexCurvatures diffused_curvatures(const ocl::Device& device, const TriangleMesh& mesh, int rounds) {
-  DiffusedCurvature method(device, mesh, rounds);
+VertexCurvatures DiffusedCurvature::of(const std::vector<glm::dvec3>& positions_m) {
   glm::dvec3 middle_m(0.0);
-  for (const glm::dvec3& position_m : mesh.positions_m) middle_m += position_m;
-  middle_m /= static_cast<double>(mesh.positions_m.size());
+  for (const glm::dvec3& position_m : positions_m) middle_m += position_m;
+  middle_m /= static_cast<double>(positions_m.size());
   double farthest_m = 0.0;
-  for (const glm::dvec3& position_m : mesh.positions_m) {
+  for (const glm::dvec3& position_m : positions_m) {
     for (int axis = 0; axis < 3; ++axis)
       farthest_m = std::max(farthest_m, std::abs(position_m[axis] - middle_m[axis]));
   }
   // Floats near 1 have squares and products of lengths that are floats, too.
   const int exponent = farthest_m > 0.0 ? std::ilogb(farthest_m) : 0;
   std::vector<float> scaled;
-  scaled.reserve(3 * mesh.positions_m.size());
-  for (const glm::dvec3& position_m : mesh.positions_m) {
+  scaled.reserve(3 * positions_m.size());
+  for (const glm::dvec3& position_m : positions_m) {
     for (int axis = 0; axis < 3; ++axis)
       scaled.push_back(static_cast<float>(std::ldexp(position_m[axis] - middle_m[axis], -exponent)));
   }
-  method.at(ocl::Buffer<float>(device, scaled, "positions"));
-  VertexCurvatures result = method.read();
+  if (positions_m_.empty()) positions_m_ = ocl::Buffer<float>(device_, scaled.size(), "positions");
+  positions_m_.write(scaled);
+  at(positions_m_);
+  VertexCurvatures result = read();
   for (double& k_per_m : result.k_max_per_m) k_per_m = std::ldexp(k_per_m, -exponent);
   for (double& k_per_m : result.k_min_per_m) k_per_m = std::ldexp(k_per_m, -exponent);
   for (double& area_m2 : result.area_m2) area_m2 = std::ldexp(area_m2, 2 * exponent);
   return result;
+}
+
+VertexCurvatures diffused_curvatures(const ocl::Device& device, const TriangleMesh& mesh, int rounds) {
+  return DiffusedCurvature(device, mesh, rounds).of(mesh.positions_m);
 }
 
 }  // namespace offing::highlights

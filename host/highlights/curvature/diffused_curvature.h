@@ -33,6 +33,10 @@ class DiffusedCurvature {
   /// another size.
   void at(const ocl::Buffer<float>& positions_m);
 
+  /// The same, read back, wherever and however large the mesh is: the device gets positions about their mean,
+  /// scaled by a power of two. They are rounded to 2^-24 of the mesh's size.
+  VertexCurvatures of(const std::vector<glm::dvec3>& positions_m);
+
   std::size_t vertex_count() const { return first_.size(); }
   /// Of the last at(), all [vertices]: (k_max, k_min in 1/m, area m2, confidence); (e_max, 0); (normal, 0).
   const ocl::Buffer<Float4>& curvatures() const { return curvatures_; }
@@ -43,18 +47,18 @@ class DiffusedCurvature {
   VertexCurvatures read() const;
 
  private:
+  ocl::Device device_;
   int rounds_;
   ocl::Kernel face_kernel_, ring_kernel_, average_kernel_, principal_kernel_;
   ocl::Buffer<std::uint32_t> corners_, first_, faces_begin_, faces_, edges_begin_, neighbours_;
   ocl::Buffer<std::array<std::int32_t, 2>> sides_;
   ocl::Buffer<std::uint8_t> on_border_;
   ocl::Buffer<std::array<float, 8>> shares_, averaged_;
+  ocl::Buffer<float> positions_m_;  // of of()
   ocl::Buffer<Float4> face_normals_, ring_normals_, curvatures_, e_max_, normals_;
 };
 
-/// The same of a mesh that stays as it is, wherever and however large it is: the device gets positions about
-/// their mean, scaled by a power of two. They are rounded to 2^-24 of the mesh's size. Throws what
-/// DiffusedCurvature() throws.
+/// DiffusedCurvature::of() of a mesh that stays as it is. Throws what DiffusedCurvature() throws.
 VertexCurvatures diffused_curvatures(const ocl::Device& device, const TriangleMesh& mesh, int rounds = 3);
 
 }  // namespace offing::highlights

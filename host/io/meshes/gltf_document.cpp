@@ -107,6 +107,17 @@ double component_at(const char* at, std::size_t component_type, bool is_normalis
   }
 }
 
+/// Elements of `width` numbers, one every `stride` bytes.
+void append(std::string_view bytes, std::size_t count, std::size_t width, std::size_t stride,
+            std::size_t component_type, bool is_normalised, std::vector<double>& values) {
+  const std::size_t step = bytes_of(component_type);
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* const at = bytes.data() + i * stride;
+    for (std::size_t k = 0; k < width; ++k)
+      values.push_back(component_at(at + k * step, component_type, is_normalised));
+  }
+}
+
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;  // of a .glb
 constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
 
@@ -270,27 +281,21 @@ std::vector<double> GltfDocument::numbers(const json& object, const char* key, s
   return numbers;
 }
 
-GltfDocument::View GltfDocument::view_of(std::size_t accessor, std::string_view type,
-                                         std::size_t components) const {
-  const json& object_of = object("accessors", accessor);
-  const std::string name = fmt::format("accessors[{}]", accessor);
-  if (object_of.value("type", json()) != type) fail(fmt::format("{} of type {}", name, type), "another");
-  if (object_of.contains("sparse") || !object_of.contains("bufferView")) {
-    fail(fmt::format("{} with all its values in a buffer", name), "a sparse one, or none");
-  }
-  View view{};
-  view.count = whole(object_of, "count", std::nullopt);
-  view.component_type = whole(object_of, "componentType", std::nullopt);
-  view.is_normalised = object_of.value("normalized", json()) == true;
-  const std::size_t element_bytes = components * bytes_of(view.component_type);
-  if (element_bytes == 0) fail(fmt::format("a component type of {} that glTF knows", name), "another");
+std::size_t GltfDocument::element_count(std::size_t accessor) const {
+  return whole(object("accessors", accessor), "count", std::nullopt);
+}
 
-  const json& buffer_view = object("bufferViews", whole(object_of, "bufferView", std::nullopt));
+/// Elements where an object says: of an accessor, or of the indices or values of a sparse one.
+GltfDocument::View GltfDocument::view_of(std::string_view name, const json& where, std::size_t count,
+                                         std::size_t component_type, std::size_t width) const {
+  const std::size_t element_bytes = width * bytes_of(component_type);
+  if (element_bytes == 0) fail(fmt::format("a component type of {} that glTF knows", name), "another");
+  const json& buffer_view = object("bufferViews", whole(where, "bufferView", std::nullopt));
   const std::size_t buffer = whole(buffer_view, "buffer", std::nullopt);
   if (buffer >= buffers_.size())
     fail(fmt::format("buffers[{}]", buffer), fmt::format("{} buffers", buffers_.size()));
-  view.bytes = buffers_[buffer];
-  for (const std::size_t offset : {whole(buffer_view, "byteOffset", 0), whole(object_of, "byteOffset", 0)}) {
+  View view{.bytes = buffers_[buffer], .count = count, .stride = 0, .component_type = component_type};
+  for (const std::size_t offset : {whole(buffer_view, "byteOffset", 0), whole(where, "byteOffset", 0)}) {
     if (offset > view.bytes.size())
       fail(fmt::format("the start of {} within its buffer", name), "a start beyond it");
     view.bytes.remove_prefix(offset);
@@ -306,30 +311,68 @@ GltfDocument::View GltfDocument::view_of(std::size_t accessor, std::string_view 
   return view;
 }
 
-std::vector<glm::dvec3> GltfDocument::vectors(std::size_t accessor) const {
-  const View view = view_of(accessor, "VEC3", 3);
-  const std::size_t step = bytes_of(view.component_type);
-  std::vector<glm::dvec3> vectors(view.count);
-  for (std::size_t i = 0; i < view.count; ++i) {
-    const char* const at = view.bytes.data() + i * view.stride;
-    for (int axis = 0; axis < 3; ++axis) {
-      vectors[i][axis] =
-          component_at(at + static_cast<std::size_t>(axis) * step, view.component_type, view.is_normalised);
-    }
+std::vector<double> GltfDocument::components(std::size_t accessor, std::string_view type,
+                                             std::size_t width) const {
+  const json& object_of = object("accessors", accessor);
+  const std::string name = fmt::format("accessors[{}]", accessor);
+  if (object_of.value("type", json()) != type) fail(fmt::format("{} of type {}", name, type), "another");
+  const std::size_t count = element_count(accessor);
+  std::vector<double> values;
+  if (object_of.contains("bufferView")) {
+    const View view = view_of(name, object_of, count, whole(object_of, "componentType", std::nullopt), width);
+    const bool is_normalised = object_of.value("normalized", json()) == true;
+    values.reserve(count * width);
+    append(view.bytes, count, width, view.stride, view.component_type, is_normalised, values);
+  } else {
+    // What moves vertices that are in the file, so that there are no more of these than bytes.
+    if (count > bytes_)
+      fail(fmt::format("at most {} elements of {}", bytes_, name), fmt::format("{}", count));
+    values.assign(count * width, 0.0);
   }
+  if (object_of.contains("sparse")) fill_sparse(name, object_of, width, values);
+  return values;
+}
+
+void GltfDocument::fill_sparse(std::string_view name, const json& accessor, std::size_t width,
+                               std::vector<double>& values) const {
+  const json& sparse = accessor["sparse"];
+  const auto part = [&](const char* key) -> const json& {
+    if (!sparse.is_object() || !sparse.contains(key) || !sparse[key].is_object())
+      fail(fmt::format("an object {} of the sparse {}", key, name), "none");
+    return sparse[key];
+  };
+  const json &where = part("indices"), &what = part("values");
+  const std::size_t count = whole(sparse, "count", std::nullopt);
+  const View at = view_of(name, where, count, whole(where, "componentType", std::nullopt), 1);
+  const View replaced = view_of(name, what, count, whole(accessor, "componentType", std::nullopt), width);
+  std::vector<double> places, numbers;
+  append(at.bytes, count, 1, at.stride, at.component_type, false, places);
+  append(replaced.bytes, count, width, replaced.stride, replaced.component_type,
+         accessor.value("normalized", json()) == true, numbers);
+  const std::size_t elements = values.size() / width;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(places[i] >= 0.0 && places[i] < static_cast<double>(elements)))
+      fail(fmt::format("indices below {} in the sparse {}", elements, name), fmt::format("{}", places[i]));
+    const auto first = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places[i]) * width);
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * width), width, values.begin() + first);
+  }
+}
+
+std::vector<glm::dvec3> GltfDocument::vectors(std::size_t accessor) const {
+  const std::vector<double> values = components(accessor, "VEC3", 3);
+  std::vector<glm::dvec3> vectors(values.size() / 3);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    vectors[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
   return vectors;
 }
 
 std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
-  const View view = view_of(accessor, "SCALAR", 1);
-  const bool is_unsigned = view.component_type == unsigned_byte || view.component_type == unsigned_short ||
-                           view.component_type == unsigned_int;
-  if (!is_unsigned) fail("unsigned indices", fmt::format("component type {}", view.component_type));
-  std::vector<std::uint32_t> indices(view.count);
-  for (std::size_t i = 0; i < view.count; ++i) {
-    indices[i] = static_cast<std::uint32_t>(
-        component_at(view.bytes.data() + i * view.stride, view.component_type, false));
-  }
+  const std::size_t type = whole(object("accessors", accessor), "componentType", std::nullopt);
+  if (type != unsigned_byte && type != unsigned_short && type != unsigned_int)
+    fail("unsigned indices", fmt::format("component type {}", type));
+  std::vector<std::uint32_t> indices;
+  for (const double value : components(accessor, "SCALAR", 1))
+    indices.push_back(static_cast<std::uint32_t>(value));
   return indices;
 }
 

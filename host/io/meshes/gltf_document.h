@@ -38,7 +38,12 @@ class GltfDocument {
   /// `count` finite numbers, or nothing if there are none.
   std::vector<double> numbers(const nlohmann::json& object, const char* key, std::size_t count) const;
 
-  /// Vectors and whole numbers of accessors; normalised integers are divided by their largest value.
+  /// How many elements an accessor has, as the document says it.
+  std::size_t element_count(std::size_t accessor) const;
+  /// The numbers of an accessor of a type such as "MAT4", `width` an element; vectors of one of
+  /// "VEC3"; whole numbers. Normalised integers are divided by their largest value. Elements that a sparse
+  /// accessor leaves out are 0.
+  std::vector<double> components(std::size_t accessor, std::string_view type, std::size_t width) const;
   std::vector<glm::dvec3> vectors(std::size_t accessor) const;
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
@@ -51,16 +56,19 @@ class GltfDocument {
   [[noreturn]] void fail(std::string_view expected, std::string_view got) const;
 
  private:
+  /// Elements in a buffer.
   struct View {
     std::string_view bytes;  ///< from the first element on
     std::size_t count, stride, component_type;
-    bool is_normalised;
   };
 
   std::string_view parse_container(std::string_view bytes);
   void load_buffers();
   std::string load_buffer(const std::string& uri) const;
-  View view_of(std::size_t accessor, std::string_view type, std::size_t components) const;
+  View view_of(std::string_view name, const nlohmann::json& where, std::size_t count,
+               std::size_t component_type, std::size_t width) const;
+  void fill_sparse(std::string_view name, const nlohmann::json& accessor, std::size_t width,
+                   std::vector<double>& values) const;
 
   std::filesystem::path path_;
   Trust trust_;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,15 +13,14 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
 
 #include "host/base/error.h"
 #include "host/io/meshes/gltf_document.h"
+#include "host/io/meshes/gltf_scene.h"
 #include "host/io/meshes/polygon_soup.h"
+#include "host/io/meshes/text_lines.h"
 
 namespace offing::meshes {
 namespace {
@@ -32,30 +33,181 @@ constexpr std::size_t most_corners_a_byte = 1000;
 // Modes of primitives, glTF 2.0, 5.24.
 constexpr std::size_t triangles = 4, triangle_strip = 5, triangle_fan = 6;
 
+/// Sets of four joints that a vertex may go with: files have one, or two.
+constexpr std::size_t most_joint_sets = 8;
+
+/// What moves a vertex of a skin.
+struct Influence {
+  std::uint32_t joint;  ///< of the skin
+  float weight;         ///< those of a vertex sum to 1
+};
+
+/// What a morph adds at a weight of 1, where that is not zero: vertex and way.
+using Ways = std::vector<std::pair<std::uint32_t, glm::dvec3>>;
+struct Morph {
+  Ways positions_m, normals;
+};
+
+struct Skin {
+  std::vector<std::size_t> joints;    // nodes
+  std::vector<glm::dmat4> from_mesh;  // [joints], to the axes of each joint as the mesh was bound
+};
+
+/// Vertices of the primitives that share them, as the file has them.
+struct Vertices {
+  std::vector<glm::dvec3> positions_m, normals;
+  std::vector<Morph> morphs;
+  std::vector<std::uint32_t> first_influences;  // [vertices + 1]; empty: no skin
+  std::vector<Influence> influences;
+};
+
+/// Vertices where one node shows them.
+struct ShownVertices {
+  std::optional<std::size_t> node;  // none: in the world's axes
+  std::shared_ptr<const Vertices> vertices;
+  std::shared_ptr<const Skin> skin;  // none: they go with the node
+  std::vector<double> weights;       // of the morphs, at rest
+};
+
+/// The directions that planes' normals go to: the cofactors are the inverse's transpose without its division,
+/// that is for flat scalings, too.
+glm::dmat3 normals_of(const glm::dmat4& transform) {
+  const glm::dmat3 m(transform);
+  const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+  return {sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])};
+}
+
+/// All vertices of a glTF at any time: morphs first, then skin or node (glTF 2.0, 3.7.2.2 and 3.7.3).
+class MovingVertices {
+ public:
+  MovingVertices(GltfScene scene, std::string file_name)
+      : scene_(std::move(scene)), file_name_(std::move(file_name)) {}
+
+  const GltfScene& scene() const { return scene_; }
+  void add(ShownVertices shown) { parts_.push_back(std::move(shown)); }
+
+  bool move() const {
+    return std::any_of(parts_.begin(), parts_.end(), [this](const ShownVertices& part) {
+      if (!part.node) return false;
+      if (!part.vertices->morphs.empty() && scene_.weights_move(*part.node)) return true;
+      if (!part.skin) return scene_.moves(*part.node);
+      const std::vector<std::size_t>& joints = part.skin->joints;
+      return std::any_of(joints.begin(), joints.end(),
+                         [this](std::size_t node) { return scene_.moves(node); });
+    });
+  }
+
+  /// Without a time at rest. Throws Error(bad_input) for positions that are not usable.
+  MeshForm form_at(std::optional<double> time_s, bool has_normals) const {
+    const std::vector<glm::dmat4> to_world = scene_.to_world(time_s);
+    MeshForm form;
+    for (const ShownVertices& part : parts_) {
+      const std::size_t first = form.positions_m.size();
+      const Vertices& vertices = *part.vertices;
+      form.positions_m.insert(form.positions_m.end(), vertices.positions_m.begin(),
+                              vertices.positions_m.end());
+      if (has_normals)
+        form.normals.insert(form.normals.end(), vertices.normals.begin(), vertices.normals.end());
+      const std::vector<double> weights =
+          part.node ? scene_.weights_at(*part.node, time_s, part.weights) : part.weights;
+      for (std::size_t i = 0; i < std::min(weights.size(), vertices.morphs.size()); ++i) {
+        if (weights[i] == 0.0) continue;
+        for (const auto& [vertex, way] : vertices.morphs[i].positions_m)
+          form.positions_m[first + vertex] += weights[i] * way;
+        if (!has_normals) continue;
+        for (const auto& [vertex, way] : vertices.morphs[i].normals)
+          form.normals[first + vertex] += weights[i] * way;
+      }
+      move(part, to_world, first, form);
+    }
+    for (const glm::dvec3& p : form.positions_m) {
+      const bool is_usable = std::abs(p.x) <= farthest_vertex_m && std::abs(p.y) <= farthest_vertex_m &&
+                             std::abs(p.z) <= farthest_vertex_m;  // false of NaN
+      if (!is_usable) throw mesh_error(file_name_, 0, "finite positions within 1e30", "others");
+    }
+    return form;
+  }
+
+ private:
+  /// Those from `first` on, which are those of a part in its axes, to the world.
+  static void move(const ShownVertices& part, const std::vector<glm::dmat4>& to_world, std::size_t first,
+                   MeshForm& form) {
+    const auto place = [&](std::size_t vertex, const glm::dmat4& transform) {
+      form.positions_m[vertex] = transform * glm::dvec4(form.positions_m[vertex], 1.0);
+    };
+    const std::size_t count = form.positions_m.size() - first;
+    const bool has_normals = !form.normals.empty();
+    if (!part.skin) {
+      const glm::dmat4 transform = part.node ? to_world[*part.node] : glm::dmat4(1.0);
+      const glm::dmat3 turn = normals_of(transform);
+      for (std::size_t i = 0; i < count; ++i) {
+        place(first + i, transform);
+        if (has_normals) form.normals[first + i] = turn * form.normals[first + i];
+      }
+      return;
+    }
+    std::vector<glm::dmat4> moved;  // [joints]
+    for (std::size_t i = 0; i < part.skin->joints.size(); ++i)
+      moved.push_back(to_world[part.skin->joints[i]] * part.skin->from_mesh[i]);
+    const Vertices& vertices = *part.vertices;
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::dmat4 transform(0.0);
+      for (std::uint32_t k = vertices.first_influences[i]; k < vertices.first_influences[i + 1]; ++k) {
+        const Influence& influence = vertices.influences[k];
+        transform += static_cast<double>(influence.weight) * moved[influence.joint];
+      }
+      place(first + i, transform);
+      if (has_normals) form.normals[first + i] = normals_of(transform) * form.normals[first + i];
+    }
+  }
+
+  GltfScene scene_;
+  std::string file_name_;
+  std::vector<ShownVertices> parts_;
+};
+
 class GltfParser {
  public:
-  GltfParser(std::string_view bytes, const std::filesystem::path& path, Trust trust)
+  GltfParser(std::string_view bytes, const std::filesystem::path& path, Trust trust,
+             const std::string& animation)
       : document_(bytes, path, trust),
         soup_(path.string()),
         has_mesh_been_shown_(document_.count("meshes"), 0) {
     soup_.report.format = document_.is_binary() ? "glTF, binary" : "glTF";
+    check_extensions();
+    const auto leave_out = [this](std::string_view what, std::size_t count) { soup_.leave_out(what, count); };
+    vertices_ = std::make_shared<MovingVertices>(GltfScene(document_, animation, leave_out), path.string());
   }
 
   MeshFile parse() {
-    check_extensions();
     if (document_.count("nodes") == 0) {
-      for (std::size_t i = 0; i < document_.count("meshes"); ++i) add_mesh(i, glm::dmat4(1.0));
-    } else {
-      walk(roots());
+      for (std::size_t i = 0; i < document_.count("meshes"); ++i) add_mesh(i, json::object(), {});
+    }
+    rest_ = vertices_->scene().to_world({});
+    for (const std::size_t node : vertices_->scene().nodes()) {
+      const json& object = document_.object("nodes", node);
+      if (object.contains("mesh")) add_mesh(document_.whole(object, "mesh", std::nullopt), object, node);
     }
     const auto hidden = std::count(has_mesh_been_shown_.begin(), has_mesh_been_shown_.end(), 0);
     soup_.leave_out("meshes that the scene does not show", static_cast<std::size_t>(hidden));
     soup_.leave_out("bytes after the end", document_.bytes_over());
     if (!have_all_normals_) {
-      soup_.leave_out("normals, since some vertices have none or several", soup_.normals.size());
-      soup_.normals.clear();
+      soup_.leave_out("normals, since some vertices have none or several", normal_count_);
+    } else if (!have_morphs_normals_) {
+      soup_.leave_out("normals, since some morphs have none", normal_count_);
+      have_all_normals_ = false;
     }
-    return std::move(soup_).finish();
+    MeshForm form = vertices_->form_at({}, have_all_normals_);
+    soup_.positions_m = std::move(form.positions_m);
+    soup_.normals = std::move(form.normals);
+    MeshFile file = std::move(soup_).finish();
+    if (vertices_->move()) {
+      file.deformation = {.form_at = [vertices = std::shared_ptr<const MovingVertices>(vertices_),
+                                      has_normals = !file.mesh.normals.empty()](
+                                         double time_s) { return vertices->form_at(time_s, has_normals); },
+                          .end_s = vertices_->scene().end_s()};
+    }
+    return file;
   }
 
  private:
@@ -72,94 +224,63 @@ class GltfParser {
     }
   }
 
-  std::vector<std::size_t> children(const json& object, const char* key) const {
-    std::vector<std::size_t> indices;
-    const auto list = object.find(key);
-    if (list == object.end()) return indices;
-    if (!list->is_array()) document_.fail(fmt::format("a list {}", key), list->type_name());
-    for (const json& index : *list) {
-      if (!index.is_number_unsigned()) document_.fail(fmt::format("numbers in {}", key), shown(index));
-      indices.push_back(index.get<std::size_t>());
-    }
-    return indices;
-  }
-
-  /// Nodes of the scene, or without scenes those that are no other's child.
-  std::vector<std::size_t> roots() const {
-    if (document_.count("scenes") > 0) {
-      return children(document_.object("scenes", document_.whole(document_.root(), "scene", 0)), "nodes");
-    }
-    const std::size_t count = document_.count("nodes");
-    std::vector<std::uint8_t> is_child(count, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const std::size_t child : children(document_.object("nodes", i), "children")) {
-        if (child < count) is_child[child] = 1;
-      }
-    }
-    std::vector<std::size_t> nodes;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (is_child[i] == 0) nodes.push_back(i);
-    }
-    return nodes;
-  }
-
-  glm::dmat4 transform(const json& node) const {
-    if (const std::vector<double> matrix = document_.numbers(node, "matrix", 16); !matrix.empty()) {
-      return glm::make_mat4(matrix.data());  // columns first, as in glTF
-    }
-    glm::dmat4 transform(1.0);
-    if (const auto t = document_.numbers(node, "translation", 3); !t.empty()) {
-      transform = glm::translate(transform, glm::dvec3(t[0], t[1], t[2]));
-    }
-    if (const auto q = document_.numbers(node, "rotation", 4); !q.empty()) {
-      transform *= glm::mat4_cast(glm::dquat(q[3], q[0], q[1], q[2]));
-    }
-    if (const auto s = document_.numbers(node, "scale", 3); !s.empty()) {
-      transform = glm::scale(transform, glm::dvec3(s[0], s[1], s[2]));
-    }
-    return transform;
-  }
-
-  /// Depth first, children in their order. A node has one parent at most, so none comes twice.
-  void walk(const std::vector<std::size_t>& roots) {
-    struct Visit {
-      std::size_t node;
-      glm::dmat4 parent;
-    };
-    std::vector<std::uint8_t> is_visited(document_.count("nodes"), 0);
-    std::vector<Visit> stack;
-    const auto push = [&](std::vector<std::size_t> nodes, const glm::dmat4& parent) {
-      std::reverse(nodes.begin(), nodes.end());  // the first is taken first
-      for (const std::size_t node : nodes) stack.push_back({node, parent});
-    };
-    push(roots, glm::dmat4(1.0));
-    while (!stack.empty()) {
-      const Visit visit = stack.back();
-      stack.pop_back();
-      const json& node = document_.object("nodes", visit.node);
-      if (std::exchange(is_visited[visit.node], 1) != 0) {
-        document_.fail("a tree of nodes", fmt::format("two ways to node {}", visit.node));
-      }
-      const glm::dmat4 to_world = visit.parent * transform(node);
-      if (node.contains("mesh")) add_mesh(document_.whole(node, "mesh", std::nullopt), to_world);
-      if (node.contains("skin")) soup_.leave_out("skins");
-      push(children(node, "children"), to_world);
-    }
-  }
-
-  void add_mesh(std::size_t index, const glm::dmat4& to_world) {
-    const json& mesh = document_.object("meshes", index);
-    has_mesh_been_shown_[index] = 1;
+  /// `node` is the object of the node that shows it, number `index`; without nodes there is none.
+  void add_mesh(std::size_t mesh_index, const json& node, std::optional<std::size_t> index) {
+    const json& mesh = document_.object("meshes", mesh_index);
+    has_mesh_been_shown_[mesh_index] = 1;
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
       document_.fail("primitives of each mesh", "none");
-    if (mesh.contains("weights")) soup_.leave_out("morphs");
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> first_vertices;  // by accessors
-    for (const json& primitive : *primitives) add_primitive(primitive, to_world, first_vertices);
+    const std::shared_ptr<const Skin> skin =
+        node.contains("skin") ? skin_of(document_.whole(node, "skin", std::nullopt)) : nullptr;
+    const std::vector<double> weights = weights_of(node.contains("weights") ? node : mesh);
+    std::map<Key, std::size_t> first_vertices;  // of this node
+    for (const json& primitive : *primitives)
+      add_primitive(primitive, {.node = index, .vertices = {}, .skin = skin, .weights = weights},
+                    first_vertices);
   }
 
-  void add_primitive(const json& primitive, const glm::dmat4& to_world,
-                     std::map<std::pair<std::size_t, std::size_t>, std::size_t>& first_vertices) {
+  std::vector<double> weights_of(const json& object) const {
+    const auto weights = object.find("weights");
+    if (weights == object.end()) return {};
+    if (!weights->is_array()) document_.fail("a list weights", weights->type_name());
+    return document_.numbers(object, "weights", weights->size());
+  }
+
+  /// nullptr for one whose joints the scene does not have.
+  std::shared_ptr<const Skin> skin_of(std::size_t index) {
+    const auto [entry, is_new] = skins_.try_emplace(index);
+    if (!is_new) return entry->second;
+    const json& object = document_.object("skins", index);
+    const auto joints = object.find("joints");
+    if (joints == object.end() || !joints->is_array() || joints->empty())
+      document_.fail(fmt::format("joints in skins[{}]", index), "none");
+    Skin skin;
+    for (const json& joint : *joints) {
+      if (!joint.is_number_unsigned()) document_.fail("numbers in joints", shown(joint));
+      skin.joints.push_back(joint.get<std::size_t>());
+      if (!vertices_->scene().has(skin.joints.back())) {
+        soup_.leave_out("skins with joints that the scene does not have");
+        return nullptr;
+      }
+    }
+    skin.from_mesh.assign(skin.joints.size(), glm::dmat4(1.0));
+    if (object.contains("inverseBindMatrices")) {
+      const std::vector<double> numbers =
+          document_.components(document_.whole(object, "inverseBindMatrices", std::nullopt), "MAT4", 16);
+      if (numbers.size() / 16 < skin.joints.size())
+        document_.fail(fmt::format("{} matrices of skins[{}]", skin.joints.size(), index),
+                       fmt::format("{}", numbers.size() / 16));
+      for (std::size_t i = 0; i < skin.joints.size(); ++i)
+        skin.from_mesh[i] = glm::make_mat4(numbers.data() + 16 * i);
+    }
+    return entry->second = std::make_shared<const Skin>(std::move(skin));
+  }
+
+  /// Numbers of the accessors that make vertices what they are.
+  using Key = std::vector<std::size_t>;
+
+  void add_primitive(const json& primitive, ShownVertices shown, std::map<Key, std::size_t>& first_vertices) {
     if (!primitive.is_object()) document_.fail("objects as primitives", primitive.type_name());
     const std::size_t mode = document_.whole(primitive, "mode", triangles);
     if (mode > triangle_fan) document_.fail("a mode of 0 to 6", fmt::format("{}", mode));
@@ -171,21 +292,21 @@ class GltfParser {
     if (attributes == primitive.end() || !attributes->is_object() || !attributes->contains("POSITION")) {
       document_.fail("positions of each primitive", "none");
     }
-    constexpr std::size_t none = SIZE_MAX;
-    const std::size_t position_accessor = document_.whole(*attributes, "POSITION", std::nullopt);
-    const std::size_t normal_accessor = document_.whole(*attributes, "NORMAL", none);
-    const auto [entry, is_new] =
-        first_vertices.try_emplace({position_accessor, normal_accessor}, soup_.positions_m.size());
+    const Key key = key_of(primitive, *attributes, shown.skin.get());
+    const auto [entry, is_new] = first_vertices.try_emplace(key, vertex_count_);
+    const std::size_t count = document_.element_count(key.front());
+    if (is_new) grow(count);
+    std::shared_ptr<const Vertices>& vertices = vertices_of_[key];
+    if (!vertices)
+      vertices = std::make_shared<const Vertices>(vertices_with(primitive, *attributes, shown.skin.get()));
     if (is_new) {
-      const std::vector<glm::dvec3> positions = document_.vectors(position_accessor);
-      if (attributes->contains("COLOR_0")) soup_.leave_out("colours of vertices", positions.size());
-      if (attributes->contains("TEXCOORD_0"))
-        soup_.leave_out("texture coordinates of vertices", positions.size());
-      add_vertices(positions, to_world);
-      add_normals(normal_accessor == none ? std::vector<glm::dvec3>() : document_.vectors(normal_accessor),
-                  positions.size(), to_world);
+      if (attributes->contains("COLOR_0")) soup_.leave_out("colours of vertices", count);
+      if (attributes->contains("TEXCOORD_0")) soup_.leave_out("texture coordinates of vertices", count);
+      vertex_count_ += count;
+      if (vertex_count_ > most_vertices) document_.fail("fewer vertices", "more");
+      normal_count_ += vertices->normals.size();
+      if (vertices->normals.size() != count) have_all_normals_ = false;
     }
-    const std::size_t first = entry->second, count = vertex_count(position_accessor);
     std::vector<std::uint32_t> corners;
     if (primitive.contains("indices")) {
       corners = document_.indices(document_.whole(primitive, "indices", std::nullopt));
@@ -196,39 +317,135 @@ class GltfParser {
     grow(corners.size());
     for (std::uint32_t& corner : corners) {
       if (corner >= count) document_.fail(fmt::format("indices below {}", count), fmt::format("{}", corner));
-      corner += static_cast<std::uint32_t>(first);
+      corner += static_cast<std::uint32_t>(entry->second);
     }
-    const bool is_mirrored = glm::determinant(glm::dmat3(to_world)) < 0.0;
-    add_faces(corners, mode, is_mirrored);
+    shown.vertices = vertices;
+    add_faces(corners, mode, is_mirrored(shown));
+    if (is_new) vertices_->add(std::move(shown));
   }
 
-  std::size_t vertex_count(std::size_t accessor) const {
-    return document_.whole(document_.object("accessors", accessor), "count", std::nullopt);
+  /// Whether faces turn over at rest. Those of a skin go with their first joint.
+  bool is_mirrored(const ShownVertices& shown) const {
+    glm::dmat3 turn(1.0);
+    if (shown.skin) {
+      turn = glm::dmat3(rest_[shown.skin->joints.front()] * shown.skin->from_mesh.front());
+    } else if (shown.node) {
+      turn = glm::dmat3(rest_[*shown.node]);
+    }
+    return glm::determinant(turn) < 0.0;
+  }
+
+  Key key_of(const json& primitive, const json& attributes, const Skin* skin) const {
+    constexpr std::size_t none = SIZE_MAX;
+    Key key{document_.whole(attributes, "POSITION", std::nullopt),
+            document_.whole(attributes, "NORMAL", none)};
+    for (const json& target : targets_of(primitive)) {
+      key.push_back(document_.whole(target, "POSITION", none));
+      key.push_back(document_.whole(target, "NORMAL", none));
+    }
+    key.push_back(none);  // the end of the targets
+    if (skin == nullptr) return key;
+    for (std::size_t set = 0; attributes.contains(fmt::format("JOINTS_{}", set)); ++set) {
+      key.push_back(document_.whole(attributes, fmt::format("JOINTS_{}", set).c_str(), std::nullopt));
+      key.push_back(document_.whole(attributes, fmt::format("WEIGHTS_{}", set).c_str(), std::nullopt));
+    }
+    key.push_back(skin->joints.size());  // that joints are checked against
+    return key;
+  }
+
+  const json& targets_of(const json& primitive) const {
+    static const json none = json::array();
+    const auto targets = primitive.find("targets");
+    if (targets == primitive.end()) return none;
+    if (!targets->is_array()) document_.fail("a list targets", targets->type_name());
+    for (const json& target : *targets) {
+      if (!target.is_object()) document_.fail("objects as targets", target.type_name());
+    }
+    return *targets;
+  }
+
+  Vertices vertices_with(const json& primitive, const json& attributes, const Skin* skin) {
+    Vertices vertices;
+    vertices.positions_m = document_.vectors(document_.whole(attributes, "POSITION", std::nullopt));
+    const std::size_t count = vertices.positions_m.size();
+    if (attributes.contains("NORMAL"))
+      vertices.normals = document_.vectors(document_.whole(attributes, "NORMAL", std::nullopt));
+    for (const json& target : targets_of(primitive)) {
+      Morph& morph = vertices.morphs.emplace_back();
+      if (target.contains("POSITION")) morph.positions_m = ways(target, "POSITION", count);
+      if (target.contains("NORMAL")) morph.normals = ways(target, "NORMAL", count);
+      if (!morph.positions_m.empty() && !target.contains("NORMAL")) have_morphs_normals_ = false;
+    }
+    if (skin != nullptr) set_influences(attributes, skin->joints.size(), vertices);
+    return vertices;
+  }
+
+  Ways ways(const json& target, const char* key, std::size_t count) {
+    const std::size_t accessor = document_.whole(target, key, std::nullopt);
+    if (document_.element_count(accessor) != count)
+      document_.fail(fmt::format("{} elements in accessors[{}]", count, accessor),
+                     fmt::format("{}", document_.element_count(accessor)));
+    grow(count);
+    Ways ways;
+    const std::vector<glm::dvec3> vectors = document_.vectors(accessor);
+    for (std::uint32_t i = 0; i < vectors.size(); ++i) {
+      if (vectors[i] != glm::dvec3(0.0)) ways.emplace_back(i, vectors[i]);
+    }
+    way_count_ += ways.size();
+    if (way_count_ > 4 * document_.bytes()) document_.fail("morphs of less than 4 vertices per byte", "more");
+    return ways;
+  }
+
+  /// Of JOINTS_0 and WEIGHTS_0 and on; a vertex without weights goes with the first joint.
+  void set_influences(const json& attributes, std::size_t joint_count, Vertices& vertices) {
+    const std::size_t count = vertices.positions_m.size();
+    std::vector<std::vector<double>> joints, weights;  // [sets][vertices][4]
+    for (std::size_t set = 0; attributes.contains(fmt::format("JOINTS_{}", set)); ++set) {
+      if (set == most_joint_sets) document_.fail(fmt::format("at most {} sets of joints", set), "more");
+      grow(4 * count);
+      const auto read = [&](const char* name) {
+        const std::string key = fmt::format("{}_{}", name, set);
+        std::vector<double> values =
+            document_.components(document_.whole(attributes, key.c_str(), std::nullopt), "VEC4", 4);
+        if (values.size() != 4 * count)
+          document_.fail(fmt::format("{} vectors {}", count, key), fmt::format("{}", values.size() / 4));
+        return values;
+      };
+      joints.push_back(read("JOINTS"));
+      weights.push_back(read("WEIGHTS"));
+    }
+    vertices.first_influences.push_back(0);
+    for (std::size_t i = 0; i < 4 * count; i += 4) {
+      double sum = 0.0;
+      const std::size_t first = vertices.influences.size();
+      for (std::size_t k = i; k < i + 4; ++k) {
+        for (std::size_t set = 0; set < joints.size(); ++set) {
+          const double weight = weights[set][k], joint = joints[set][k];
+          if (!(weight > 0.0)) continue;
+          if (!(joint >= 0.0 && joint < static_cast<double>(joint_count)))
+            document_.fail(fmt::format("joints below {}", joint_count), fmt::format("{}", joint));
+          sum += weight;
+          vertices.influences.push_back({static_cast<std::uint32_t>(joint), static_cast<float>(weight)});
+        }
+      }
+      if (!(sum > 0.0)) {
+        vertices.influences.push_back({0, 1.0f});
+        sum = 1.0;
+      }
+      for (std::size_t k = first; k < vertices.influences.size(); ++k)
+        vertices.influences[k].weight =
+            static_cast<float>(static_cast<double>(vertices.influences[k].weight) / sum);
+      if (vertices.influences.size() > most_vertices) document_.fail("fewer joints of vertices", "more");
+      vertices.first_influences.push_back(static_cast<std::uint32_t>(vertices.influences.size()));
+    }
   }
 
   /// Throws Error where instances of meshes grow out of proportion.
   void grow(std::size_t count) {
     corners_ += count;
-    if (corners_ / most_corners_a_byte > document_.bytes() || soup_.positions_m.size() > most_vertices) {
+    if (corners_ / most_corners_a_byte > document_.bytes()) {
       document_.fail("a scene of less than 1000 corners per byte", "more");
     }
-  }
-
-  void add_vertices(const std::vector<glm::dvec3>& positions, const glm::dmat4& to_world) {
-    grow(positions.size());
-    for (const glm::dvec3& position : positions) {
-      soup_.positions_m.emplace_back(to_world * glm::dvec4(position, 1.0));
-    }
-  }
-
-  void add_normals(const std::vector<glm::dvec3>& normals, std::size_t count, const glm::dmat4& to_world) {
-    if (normals.size() != count) have_all_normals_ = false;
-    if (!have_all_normals_) return;
-    // The cofactors: the inverse's transpose without its division, that is for flat scalings, too.
-    const glm::dmat3 m(to_world);
-    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
-    for (const glm::dvec3& normal : normals) soup_.normals.emplace_back(sign * (cofactors * normal));
   }
 
   void add_faces(std::span<const std::uint32_t> corners, std::size_t mode, bool is_mirrored) {
@@ -254,14 +471,19 @@ class GltfParser {
   GltfDocument document_;
   PolygonSoup soup_;
   std::vector<std::uint8_t> has_mesh_been_shown_;
-  bool have_all_normals_ = true;
-  std::size_t corners_ = 0;
+  std::shared_ptr<MovingVertices> vertices_;
+  std::vector<glm::dmat4> rest_;  // of nodes, to the world
+  std::map<Key, std::shared_ptr<const Vertices>> vertices_of_;
+  std::map<std::size_t, std::shared_ptr<const Skin>> skins_;
+  bool have_all_normals_ = true, have_morphs_normals_ = true;
+  std::size_t corners_ = 0, vertex_count_ = 0, normal_count_ = 0, way_count_ = 0;
 };
 
 }  // namespace
 
-MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path, Trust trust) {
-  return GltfParser(bytes, path, trust).parse();
+MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path, Trust trust,
+                    const std::string& animation) {
+  return GltfParser(bytes, path, trust, animation).parse();
 }
 
 }  // namespace offing::meshes

@@ -26,8 +26,9 @@ struct MeshReport {
 
 /// A mesh, and what reading it found.
 struct MeshFile {
-  TriangleMesh mesh;
+  TriangleMesh mesh;  ///< of a glTF at rest: without its animation
   MeshReport report;
+  Deformation deformation = {};
 };
 
 }  // namespace offing

@@ -26,14 +26,15 @@ std::string_view first_word(std::string_view text) {
   return lines.next_line() ? lines.word() : std::string_view();
 }
 
-MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust trust) {
+MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust trust,
+               const std::string& animation) {
   const std::string name = path.string(), extension = lower_extension(path);
   const std::string_view word = first_word(bytes);
   if (word == "ply" || extension == ".ply") return meshes::parse_ply(bytes, name).file;
   if (extension == ".obj") return meshes::parse_obj(bytes, name);
   if (meshes::is_off_keyword(word) || extension == ".off") return meshes::parse_off(bytes, name);
   if (extension == ".stl") return meshes::parse_stl(bytes, name);
-  if (meshes::is_gltf(bytes, path)) return meshes::parse_gltf(bytes, path, trust);
+  if (meshes::is_gltf(bytes, path)) return meshes::parse_gltf(bytes, path, trust, animation);
   if (word == "solid") return meshes::parse_stl(bytes, name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh, got {}", one_line(name),
@@ -43,8 +44,9 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust 
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust) {
-  return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path, trust); });
+MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust, const std::string& animation) {
+  return meshes::parse_mesh_file(
+      path, [&](std::string_view bytes) { return parse(bytes, path, trust, animation); });
 }
 
 void warn_of_left_out(const std::filesystem::path& path, const MeshReport& report) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/io/meshes/mesh_sequence.h"
 #include "host/scene/file/scene_reader.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/scene_wakes.h"
@@ -107,6 +108,7 @@ class SceneChecker {
             std::get<ValueAt<std::string>>(row.storage).in(struct_at(&scene, *row.section, element));
         std::error_code error;
         if (named.empty() || std::filesystem::exists(named, error)) continue;
+        if (!files_of_mesh_sequence(named).empty()) continue;
         add(Error(ErrorKind::bad_input,
                   fmt::format("{}: expected a file, found none: {}", place->second, printable(named)),
                   "check the name: it is relative to the folder of the scene"));

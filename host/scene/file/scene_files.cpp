@@ -1,7 +1,9 @@
 #include "host/scene/file/scene_files.h"
 
+#include <filesystem>
 #include <variant>
 
+#include "host/io/meshes/mesh_sequence.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 
@@ -14,7 +16,9 @@ std::vector<std::string> files_of(const Scene& scene) {
     for (const ElementIndex element : elements_of(scene, *row.section)) {
       const std::string& file =
           std::get<ValueAt<std::string>>(row.storage).in(struct_at(&scene, *row.section, element));
-      if (!file.empty()) files.push_back(file);
+      if (file.empty()) continue;
+      files.push_back(file);
+      for (const std::filesystem::path& each : files_of_mesh_sequence(file)) files.push_back(each.string());
     }
   }
   return files;

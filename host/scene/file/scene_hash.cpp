@@ -9,6 +9,7 @@
 #include <xxhash.h>
 
 #include "host/io/hydrodynamics/read_hydrodynamics.h"
+#include "host/io/meshes/mesh_sequence.h"
 #include "host/io/whole_file.h"
 #include "host/scene/file/version.h"
 #include "host/scene/model/named_file.h"
@@ -46,8 +47,11 @@ void append_content(fmt::memory_buffer& text, const Scene& scene, const ValueKey
 void append_files_of_bodies(fmt::memory_buffer& text, const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const std::size_t mesh = mesh_of_body(scene, i);
-    if (const std::string& hull = scene.meshes[mesh].file; !hull.empty())
+    if (const std::string& file = scene.meshes[mesh].file; !file.empty()) {
+      const std::vector<std::filesystem::path> sequence = files_of_mesh_sequence(file);
+      const std::string hull = sequence.empty() ? file : sequence.front().string();
       append_content(text, scene, {"mesh.file", {mesh, 0}}, "a mesh", hull, {hull});
+    }
     if (const std::string& data = scene.bodies[i].hydrodynamics; !data.empty()) {
       append_content(text, scene, {"body.hydrodynamics", {i, 0}}, "a file of hydrodynamic data", data,
                      hydrodynamic_files(data));

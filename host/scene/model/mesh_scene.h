@@ -34,12 +34,17 @@ struct HighlightScene {
 };
 
 enum class MeshHighlights { off, on };
+/// Whether the animation of a mesh begins again at its end.
+enum class AnimationRepeats { off, on };
 
 /// A mesh of a scene: a file's or, without one, a shape.
 struct MeshScene {
   std::string name;
   std::string file;
-  std::size_t shape = 0;  ///< index of mesh_shapes::shapes()
+  std::string animation;  ///< of a file that has several; empty: all of them
+  AnimationRepeats repeats = AnimationRepeats::off;
+  double sequence_frames_per_s = 24.0;  ///< of a file that is a sequence of meshes
+  std::size_t shape = 0;                ///< index of mesh_shapes::shapes()
   double size_m = 1.0;
   int detail = 2;
   double scale = 1.0;

@@ -11,6 +11,7 @@ namespace offing::scene {
 struct MeshData {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const VertexCurvatures> curvatures;
+  Deformation deformation = {};
 };
 
 /// Reads or makes it. Throws Error(bad_input) that names the place in the scene for a file that is not there,

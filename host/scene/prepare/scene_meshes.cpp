@@ -133,6 +133,7 @@ world::MeshParameters parameters_of(const Scene& scene, std::size_t index, const
   parameters.name = mesh.name.empty() ? fmt::format("mesh {}", index + 1) : mesh.name;
   parameters.mesh = data.mesh;
   parameters.curvatures = data.curvatures;
+  parameters.deformation = data.deformation;
   parameters.motion = motion_of(scene, index);
   parameters.surface.smoothing_rounds = mesh.smoothing_rounds;
   parameters.has_highlights = mesh.shown == MeshHighlights::on;
@@ -155,7 +156,8 @@ std::vector<world::MeshParameters> with_moment(std::vector<world::MeshParameters
 
 bool is_same_form(const MeshScene& a, const MeshScene& b) {
   return a.file == b.file && a.shape == b.shape && a.size_m == b.size_m && a.detail == b.detail &&
-         a.scale == b.scale;
+         a.scale == b.scale && a.animation == b.animation && a.repeats == b.repeats &&
+         a.sequence_frames_per_s == b.sequence_frames_per_s;
 }
 
 }  // namespace
@@ -270,8 +272,9 @@ void edit_meshes(world::World& world, const Scene& before, const Scene& after) {
     for (std::size_t i = 0; i < after.meshes.size(); ++i) {
       const bool is_known = i < before.meshes.size() && is_same_form(before.meshes[i], after.meshes[i]);
       const world::MeshParameters* known = is_known ? &world.parameters().meshes[i] : nullptr;
-      meshes.push_back(
-          parameters_of(after, i, known ? MeshData{known->mesh, known->curvatures} : mesh_data(after, i)));
+      meshes.push_back(parameters_of(
+          after, i,
+          known ? MeshData{known->mesh, known->curvatures, known->deformation} : mesh_data(after, i)));
     }
     world.set_meshes(with_moment(std::move(meshes), after));
   }
@@ -283,7 +286,8 @@ void look_at_meshes(const std::vector<world::MeshParameters>& meshes, double tim
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const world::MeshParameters& mesh : meshes) {
     const highlights::RigidMotion motion = mesh.motion(time_s);
-    for (const glm::dvec3& place_m : mesh.mesh->positions_m) {
+    const MeshForm form = mesh.deformation ? mesh.deformation.form_at(time_s) : MeshForm{};
+    for (const glm::dvec3& place_m : mesh.deformation ? form.positions_m : mesh.mesh->positions_m) {
       const glm::dvec3 there_m = motion.rotation * place_m + motion.translation_m;
       low = glm::min(low, there_m);
       high = glm::max(high, there_m);

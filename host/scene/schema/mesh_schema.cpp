@@ -22,6 +22,14 @@ std::string needs_shape(const UseContext&, const MeshScene& mesh) {
   return mesh.file.empty() ? "" : "the mesh comes from " + mesh.file;
 }
 
+std::string needs_file(const UseContext&, const MeshScene& mesh) {
+  return mesh.file.empty() ? "the mesh is a shape, which does not deform" : "";
+}
+
+std::string needs_sequence(const UseContext&, const MeshScene& mesh) {
+  return mesh.file.find('%') == std::string::npos ? "the file is not a sequence of meshes" : "";
+}
+
 std::string needs_cartoon(const UseContext&, const MeshScene& mesh) {
   if (mesh.material.shading == world::BaseShading::cartoon) return "";
   return fmt::format("the shading is {}", shading_names[static_cast<std::size_t>(mesh.material.shading)]);
@@ -64,10 +72,27 @@ std::vector<Row<MeshScene>> mesh_form_rows() {
           {&MeshScene::file,
            {.key = "file",
             .help = "OBJ, PLY, OFF, STL or glTF in metres, +y up. A PLY of `offing-mesh curvature` brings "
-                    "its curvatures; for other files the device computes them",
+                    "its curvatures; for other files the device computes them. frames/mesh_%04d.ply is a "
+                    "sequence of meshes, of which the first is at 0 s",
             .example = "head.ply",
             .absent = "none: uses shape",
             .rule = ParameterRule::file_name}},
+          {&MeshScene::animation,
+           {.key = "animation",
+            .help = "name of the animation of a glTF that deforms the mesh",
+            .example = "walk",
+            .absent = "all of them; the first that moves a value counts",
+            .rule = ParameterRule::name},
+           needs_file},
+          {choice(&MeshScene::repeats, {"off", "on"}),
+           {.key = "animation_repeat", .help = "whether the animation of the file begins again at its end"},
+           needs_file},
+          {&MeshScene::sequence_frames_per_s,
+           {.key = "sequence_fps",
+            .low = 0.01,
+            .high = 1000.0,
+            .help = "meshes per second of a file whose name has %04d for its number"},
+           needs_sequence},
           {choice(&MeshScene::shape, mesh_shapes::names_of(mesh_shapes::shapes())),
            {.key = "shape", .help = "shape to generate, if no file is given"},
            needs_shape},

@@ -83,12 +83,16 @@ ShaderProgram MeshPass::base_program(const BaseFeatures& features) {
 
 void MeshPass::prepare(const world::World& world) {
   const std::vector<world::WorldMesh>& views = world.meshes();
-  const bool are_same = std::equal(views.begin(), views.end(), meshes_.begin(), meshes_.end(),
-                                   [](const auto& a, const Mesh& b) { return a.revision() == b.revision; });
-  if (are_same) return;
-  meshes_.clear();
-  for (const world::WorldMesh& view : views) {
-    meshes_.push_back({view.revision(), MeshGeometry(view.surface())});
+  if (meshes_.size() > views.size())
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(views.size()), meshes_.end());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (i < meshes_.size() && meshes_[i].revision == views[i].revision()) continue;
+    Mesh mesh{views[i].revision(), MeshGeometry(views[i].surface())};
+    if (i < meshes_.size()) {
+      meshes_[i] = std::move(mesh);
+    } else {
+      meshes_.push_back(std::move(mesh));
+    }
   }
 }
 

@@ -27,7 +27,7 @@ class MeshPass {
  public:
   explicit MeshPass(const GlCapabilities& capabilities);
 
-  /// Copies meshes that are new.
+  /// Copies meshes that are new or have another form.
   void prepare(const world::World& world);
   /// Draws onto a target whose depth is reversed: behind what is nearer there. `environment` is the map of
   /// SkyPass.

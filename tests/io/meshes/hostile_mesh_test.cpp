@@ -31,6 +31,11 @@ std::optional<Error> error_of(std::string_view format, const std::string& bytes)
     for (const TriangleIndices& face : file.mesh.faces) {
       for (const std::uint32_t corner : face) EXPECT_LT(corner, file.mesh.positions_m.size());
     }
+    if (file.deformation) {
+      const MeshForm form = file.deformation.form_at(0.4 * file.deformation.end_s);
+      EXPECT_EQ(form.positions_m.size(), file.mesh.positions_m.size());
+      EXPECT_EQ(form.normals.size(), file.mesh.normals.size());
+    }
     return std::nullopt;
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_input) << error.what();

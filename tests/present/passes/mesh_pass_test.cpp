@@ -145,6 +145,27 @@ TEST_F(MeshPassTest, LightsSmoothlyByPixel) {
   EXPECT_LT(found, 2e-3);
 }
 
+// The same of a sphere that becomes half as high in a second. Fails if a picture has the form of another
+// time, or its normals.
+TEST_F(MeshPassTest, LightsTheFormOfItsTime) {
+  world::MeshParameters mesh = sphere(BaseShading::phong);
+  mesh.deformation = {.form_at =
+                          [positions_m = mesh.mesh->positions_m](double time_s) {
+                            MeshForm form{.positions_m = positions_m, .normals = {}};
+                            for (glm::dvec3& p : form.positions_m) p.y *= 1.0 - 0.5 * time_s;
+                            return form;
+                          },
+                      .end_s = 1.0};
+  open(lit_world(mesh));
+  double found = 0.0;
+  for (const double time_s : {0.0, 1.0, 0.5}) {
+    const std::vector<float> pixels = light(time_s);
+    found = std::max(found, worst(pixels, [&](const Seen& s) { return smooth_light(s.at_m, s.normal); }));
+  }
+  RecordProperty("worst_1e6", static_cast<int>(found * 1e6));
+  EXPECT_LT(found, 2e-3);
+}
+
 // Fails if light is not that of the corners, mixed.
 TEST_F(MeshPassTest, LightsSmoothlyByVertex) {
   open(lit_world(sphere(BaseShading::gouraud)));
