@@ -1,4 +1,4 @@
-// `offing scene new`, `check` and `keys`; scene_schema_test.py has `schema`.
+// `offing scene new`, `import`, `check` and `keys`; scene_schema_test.py has `schema`.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -87,6 +87,28 @@ TEST_F(SceneCommands, NewHasDefaultsAndStatedValues) {
   const scene::Scene with_swell = scene::parse_scene(whole, "a.toml", "");
   ASSERT_EQ(with_swell.ocean.swells.size(), 1u);
   EXPECT_EQ(with_swell.ocean.swells[0].tp_s, 11.0);
+}
+
+// Fails if a glTF gives a scene with faults, if what it could not take is not one line each, or if a file
+// that is there is replaced.
+TEST_F(SceneCommands, ImportMakesASceneOfAGltf) {
+  const std::string glb = path("pan.glb"), file = path("pan.toml");
+  std::filesystem::copy_file(OFFING_SCENES "/../tests/fuzz/corpus/gltf_stage/stage", glb);
+  const ProgramResult result = run_offing({"scene", "import", glb, "-o", file});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output, file + ": no mesh files, 3 lights, no bookmarks, 3 values with keyframes, 1 s\n");
+  for (const char* const what :
+       {"1 parallel cameras", "1 cones of spots", "1 ranges of lights", "1 materials"})
+    EXPECT_THAT(result.errors, HasSubstr("pan.glb: left out: " + std::string(what) + "\n"));
+  EXPECT_EQ(run_offing({"scene", "check", file}).output, file + ": no errors, no warnings\n");
+  EXPECT_THAT(run_offing({"scene", "import", glb, "-o", file}).errors, HasSubstr("--force"));
+  const ProgramResult wrong =
+      run_offing({"scene", "import", glb, "-o", file, "--force", "--animation", "walk"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.errors,
+              HasSubstr("error: " + glb +
+                        ": expected an animation \"walk\", got \"pan\"\nhint: give one of these names"));
+  EXPECT_EQ(run_offing({"scene", "import", glb, "-o", glb, "--force"}).exit_code, 2);
 }
 
 // Fails if a fault is left out, comes out of order, or has the wrong place.

@@ -143,8 +143,34 @@ def moving_gltf():
     return glb(document, data)
 
 
+def gltf_stage():
+    """A camera below a node that turns, a parallel one, and a light of each type."""
+    data = struct.pack("<2f", 0, 1) + struct.pack("<8f", 0, 0, 0, 1, 0, 0.6, 0, 0.8)
+    lights = [{"type": "directional", "intensity": 800, "color": [1, 0.5, 0.25], "name": "sky"},
+              {"type": "point", "intensity": 90, "range": 20},
+              {"type": "spot", "spot": {"outerConeAngle": 0.5}}]
+    document = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0, 2, 3, 4, 5]}],
+        "nodes": [{"children": [1], "translation": [0, 2, 0]}, {"camera": 0, "translation": [0, 0, 5], "name": "shot"},
+                  {"camera": 1}, *({"extensions": {"KHR_lights_punctual": {"light": i}}} for i in range(3))],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1}},
+                    {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "znear": 0, "zfar": 9}}],
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": {"lights": lights}},
+        "materials": [{}],
+        "animations": [{"name": "pan", "samplers": [{"input": 0, "output": 1}],
+                        "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                      {"bufferView": 1, "componentType": 5126, "count": 2, "type": "VEC4"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 8}, {"buffer": 0, "byteOffset": 8, "byteLength": 32}],
+        "buffers": [{"byteLength": len(data)}],
+    }
+    return {"stage": glb(document, data)}
+
+
 def main():
-    for make in (obj, off, ply, stl, gltf):
+    for make in (obj, off, ply, stl, gltf, gltf_stage):
         folder = pathlib.Path(sys.argv[1]) / make.__name__
         folder.mkdir(parents=True, exist_ok=True)
         for name, content in make().items():

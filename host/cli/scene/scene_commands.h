@@ -10,6 +10,7 @@ namespace offing::cli {
 void add_scene_command(CLI::App& app, GlobalOptions& options);
 
 void add_new_command(CLI::App& scene, GlobalOptions& options);
+void add_import_command(CLI::App& scene, GlobalOptions& options);
 void add_check_command(CLI::App& scene, GlobalOptions& options);
 void add_keys_command(CLI::App& scene, GlobalOptions& options);
 void add_schema_command(CLI::App& scene, GlobalOptions& options);

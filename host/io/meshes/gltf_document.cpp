@@ -376,8 +376,10 @@ std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
   return indices;
 }
 
-void GltfDocument::fail(std::string_view expected, std::string_view got) const {
-  throw mesh_error(path_.string(), 0, expected, got);
+void GltfDocument::fail(std::string_view expected, std::string_view got, const char* hint) const {
+  const Error error = mesh_error(path_.string(), 0, expected, got);
+  if (hint == nullptr) throw error;
+  throw Error(error.kind(), error.what(), hint);
 }
 
 std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path) {

@@ -52,8 +52,8 @@ class GltfDocument {
   std::size_t bytes_over() const { return bytes_over_; }  ///< after the end of a .glb
   bool is_binary() const { return is_binary_; }
 
-  /// Throws Error(bad_input).
-  [[noreturn]] void fail(std::string_view expected, std::string_view got) const;
+  /// Throws Error(bad_input), with the hint that the file is damaged or another one.
+  [[noreturn]] void fail(std::string_view expected, std::string_view got, const char* hint = nullptr) const;
 
  private:
   /// Elements in a buffer.

@@ -120,7 +120,9 @@ void GltfScene::read_animations(const std::string& name, const LeaveOut& leave_o
   if (name.empty()) return;
   for (std::string& each : names) each = '"' + each + '"';
   document_->fail(fmt::format("an animation \"{}\"", one_line(name)),
-                  names.empty() ? "none" : one_line(fmt::format("{}", fmt::join(names, ", "))));
+                  names.empty() ? "none" : one_line(fmt::format("{}", fmt::join(names, ", "))),
+                  names.empty() ? "leave out the name: the file has no animation"
+                                : "give one of these names, or none for all");
 }
 
 bool GltfScene::read_animation(std::size_t index, const LeaveOut& leave_out) {
