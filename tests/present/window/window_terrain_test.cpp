@@ -86,6 +86,7 @@ TEST_F(WindowTerrainTest, FliesAboveTheGround) {
 // Fails if a click on the ground lands elsewhere than on what it shows; clicks into the sky do nothing.
 TEST_F(WindowTerrainTest, GoesToAClickedPoint) {
   open(terrain_options());
+  picture();  // a sharp one: that before it has other sides
   const Camera camera = state().camera.camera();
   int width = 0, height = 0;
   width = static_cast<int>(ImGui::GetIO().DisplaySize.x);
