@@ -64,6 +64,7 @@ CASES = [
     Case("offing ocean query", "-o", ["scene.toml", "--points", "points.csv"], [*SCENE_FILES, "points.csv"],
          "out.csv"),
     Case("offing highlights", "-o", ["scene.toml"], SOME_FILES, "out.json"),
+    Case("offing scene import", "-o", ["ship.gltf"], GLTF, "out.toml"),
     Case("offing bodies motion", "-o", ["floats.toml", "--times", "0:0:1"], ["floats.toml"], "out.csv"),
     Case("offing bodies rao", "-o", ["floats.toml"], ["floats.toml"], "out.csv"),
     Case("offing bodies rao", "--plot", ["floats.toml", "-o", "fresh"], ["floats.toml"], "out.png"),
