@@ -9,8 +9,8 @@ constexpr double least_stay_s = 2.0;
 // Frames that are looked at together, whose median counts: one that stood still does not.
 constexpr double window_s = 1.0;
 constexpr std::size_t least_frames = 3;
-// A finer quality level is tried only if this much of the time is enough for it, so that quality levels do not
-// take turns.
+// A finer quality level is tried only if this much of the time is enough for it, so that quality levels do
+// not take turns.
 constexpr double safety = 0.97;
 // A quality level that was too slow is tried again after so long; each time that it is again, after four
 // times as long.
