@@ -16,8 +16,8 @@ struct RgbImage {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Display value 0 ... 1, still linear, of exposed light: Narkowicz 2015, "ACES filmic tone mapping curve", as
-/// present/passes/tone.frag has it.
+/// Display value 0 ... 1, still linear, of exposed light: Narkowicz 2015, "ACES filmic tone mapping curve",
+/// as present/passes/tone.frag has it.
 float filmic(float exposed);
 
 /// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.

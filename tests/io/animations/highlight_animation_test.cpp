@@ -256,7 +256,8 @@ TEST(HighlightAnimationTest, GltfReadsBackAsTextAndBinary) {
   }
 }
 
-/// The example with a mesh of two faces, an eye that moves and zooms, a light that dims and a sun that stands.
+/// The example with a mesh of two faces, an eye that moves and zooms, a light that dims and a sun that
+/// stands.
 HighlightAnimation example_with_scene() {
   HighlightAnimation animation = example();
   TriangleMesh mesh;

@@ -65,7 +65,8 @@ TEST(ViewOptionsTest, HaveRows) {
         test::report_options(app, {"SCENE", "device", "output", "record", "sources", "terrain", "video"});
   });
   EXPECT_THAT(report.faults, testing::IsEmpty());
-  EXPECT_THAT(report.numbers, testing::SizeIs(6));  // --keep-fps, --render-scale, --ui-scale, --time, --fps, --samples
+  EXPECT_THAT(report.numbers,
+              testing::SizeIs(6));  // --keep-fps, --render-scale, --ui-scale, --time, --fps, --samples
 }
 
 }  // namespace
