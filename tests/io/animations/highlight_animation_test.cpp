@@ -83,6 +83,26 @@ std::string content(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Read by a library of other people, with what it complains of. Pictures keep their bytes; those in files of
+/// their own are only named.
+tinygltf::Model read_by_others(const std::filesystem::path& file, std::string& complaints) {
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(
+      [](tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+         int size, void*) {
+        image->image.assign(bytes, bytes + size);
+        return true;
+      },
+      nullptr);
+  tinygltf::Model model;
+  std::string warning;
+  const bool is_read = file.extension() == ".glb"
+                           ? loader.LoadBinaryFromFile(&model, &complaints, &warning, file.string())
+                           : loader.LoadASCIIFromFile(&model, &complaints, &warning, file.string());
+  EXPECT_TRUE(is_read) << complaints;
+  return model;
+}
+
 glm::dvec3 vector_of(const nlohmann::json& json) {
   return {json.at(0), json.at(1), json.at(2)};
 }
@@ -218,7 +238,7 @@ void expect_nodes(const tinygltf::Model& model, const HighlightAnimation& animat
   }
 }
 
-// Read by a library of other people. Numbers are floats: 1e-6. Fails if a node is anywhere else than its
+// Numbers are floats: 1e-6. Fails if a node is anywhere else than its
 // projector at any frame, or shows where it is not.
 TEST(HighlightAnimationTest, GltfReadsBackAsTextAndBinary) {
   const TemporaryFolder folder;
@@ -226,21 +246,8 @@ TEST(HighlightAnimationTest, GltfReadsBackAsTextAndBinary) {
   for (const char* name : {"h.gltf", "h.glb"}) {
     const std::string file = (folder.path() / name).string();
     write_highlights(file, animation);
-    tinygltf::TinyGLTF loader;
-    // Pictures in files of their own are only named.
-    loader.SetImageLoader(
-        [](tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
-           int size, void*) {
-          image->image.assign(bytes, bytes + size);
-          return true;
-        },
-        nullptr);
-    tinygltf::Model model;
-    std::string error, warning;
-    const bool is_read = std::string(name) == "h.glb"
-                             ? loader.LoadBinaryFromFile(&model, &error, &warning, file)
-                             : loader.LoadASCIIFromFile(&model, &error, &warning, file);
-    ASSERT_TRUE(is_read) << error;
+    std::string error;
+    const tinygltf::Model model = read_by_others(file, error);
     // This reader is older than KHR_animation_pointer, whose channels name no node; it leaves them out, as it
     // should.
     std::istringstream complaints(error);
@@ -299,14 +306,8 @@ TEST(HighlightAnimationTest, GltfHasTheSceneAround) {
   const TemporaryFolder folder;
   const HighlightAnimation animation = example_with_scene();
   write_highlights(folder.path() / "h.gltf", animation);
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                           int, void*) { return true; },
-                        nullptr);
-  tinygltf::Model model;
-  std::string error, warning;
-  ASSERT_TRUE(loader.LoadASCIIFromFile(&model, &error, &warning, (folder.path() / "h.gltf").string()))
-      << error;
+  std::string error;
+  const tinygltf::Model model = read_by_others(folder.path() / "h.gltf", error);
   const nlohmann::json json = nlohmann::json::parse(content(folder.path() / "h.gltf"));
   std::map<std::string, int> nodes;
   for (const int root : model.scenes.at(0).nodes)
@@ -362,14 +363,8 @@ TEST(HighlightAnimationTest, GltfHasTheSceneAround) {
 TEST(HighlightAnimationTest, RotationsDoNotFlipTheirSign) {
   const TemporaryFolder folder;
   write_highlights(folder.path() / "h.glb", example());
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                           int, void*) { return true; },
-                        nullptr);
-  tinygltf::Model model;
-  std::string error, warning;
-  ASSERT_TRUE(loader.LoadBinaryFromFile(&model, &error, &warning, (folder.path() / "h.glb").string()))
-      << error;
+  std::string error;
+  const tinygltf::Model model = read_by_others(folder.path() / "h.glb", error);
   int checked = 0;
   for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels) {
     if (channel.target_path != "rotation") continue;
