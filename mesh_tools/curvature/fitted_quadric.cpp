@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -20,67 +21,135 @@ struct Quadric {
 };
 
 /// Of a quadric, and with all terms up to the fourth power.
-constexpr std::size_t quadric_unknowns = 6, quartic_unknowns = 15;
+constexpr int quadric_degree = 2, quartic_degree = 4;
 
-template <std::size_t unknowns>
-std::array<double, unknowns> terms_at(double u, double w) {
-  if constexpr (unknowns == quadric_unknowns) {
-    return {1.0, u, w, 0.5 * u * u, u * w, 0.5 * w * w};
-  } else {
-    const double uu = u * u, uw = u * w, ww = w * w;
-    return {1.0,    u,      w,       0.5 * uu, uw,      0.5 * ww, uu * u, uu * w,
-            ww * u, ww * w, uu * uu, uu * uw,  uu * ww, uw * ww,  ww * ww};
-  }
+constexpr std::size_t terms_up_to(int degree) {
+  return static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
 }
 
-/// Sums of weighted least squares.
-template <std::size_t unknowns>
-class HeightFit {
+/// Points as a fit takes them, over lengths of the radius: coordinates in the tangent plane, heights,
+/// weights. Points without weight fill the last group of lanes.
+struct FitPoints {
+  static constexpr std::size_t lanes = 8;
+  std::vector<double> u, w, height, weight;
+  std::size_t count = 0;  ///< of those with weight
+
+  void clear() {
+    for (auto* values : {&u, &w, &height, &weight}) values->clear();
+    count = 0;
+  }
+  void add(double point_u, double point_w, double point_height, double point_weight) {
+    u.push_back(point_u);
+    w.push_back(point_w);
+    height.push_back(point_height);
+    weight.push_back(point_weight);
+    ++count;
+  }
+  void fill_lanes() {
+    for (auto* values : {&u, &w, &height, &weight}) values->resize((count + lanes - 1) / lanes * lanes, 0.0);
+  }
+};
+
+/// Sums of value u^i w^j over points, for all i + j up to a degree. They are summed in lanes, which a
+/// compiler makes into vectors; the order is always the same.
+template <int degree>
+class Moments {
  public:
-  void add(double u, double w, double height, double weight) {
-    const std::array<double, unknowns> terms = terms_at<unknowns>(u, w);
-    std::size_t entry = 0;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const double weighted = weight * terms[i];
-      for (std::size_t j = 0; j <= i; ++j) matrix_[entry++] += weighted * terms[j];
-      right_[i] += weighted * height;
+  Moments(const std::vector<double>& values, const FitPoints& points) {
+    for (std::size_t begin = 0; begin < values.size(); begin += lanes) {
+      const double *us = &points.u[begin], *ws = &points.w[begin];
+      Lanes column;
+      std::copy_n(&values[begin], lanes, column.begin());
+      std::size_t entry = 0;
+      for (int i = 0; i <= degree; ++i) {
+        Lanes term = column;
+        for (int j = 0; i + j <= degree; ++j, ++entry) {
+          for (std::size_t lane = 0; lane < lanes; ++lane) sums_[entry][lane] += term[lane];
+          for (std::size_t lane = 0; lane < lanes; ++lane) term[lane] *= ws[lane];
+        }
+        for (std::size_t lane = 0; lane < lanes; ++lane) column[lane] *= us[lane];
+      }
     }
   }
 
-  /// By Cholesky's factors, the quadric first. None where points leave a coefficient open, such as all on a
-  /// line.
-  std::optional<std::array<double, unknowns>> solve() {
-    // Below this part of its own sum a pivot is rounding.
-    constexpr double least_pivot = 1e-10;
-    const auto at = [&](std::size_t i, std::size_t j) -> double& { return matrix_[i * (i + 1) / 2 + j]; };
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        double sum = at(i, j);
-        for (std::size_t k = 0; k < j; ++k) sum -= at(i, k) * at(j, k);
-        if (i != j) {
-          at(i, j) = sum / at(j, j);
-        } else if (sum > least_pivot * at(i, i)) {
-          at(i, i) = std::sqrt(sum);
-        } else {
-          return {};
-        }
-      }
-    }
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      for (std::size_t k = 0; k < i; ++k) right_[i] -= at(i, k) * right_[k];
-      right_[i] /= at(i, i);
-    }
-    for (std::size_t i = unknowns; i-- > 0;) {
-      for (std::size_t k = i + 1; k < unknowns; ++k) right_[i] -= at(k, i) * right_[k];
-      right_[i] /= at(i, i);
-    }
-    return right_;
+  double at(int i, int j) const {
+    const Lanes& sums = sums_[static_cast<std::size_t>(i * (2 * degree + 3 - i) / 2 + j)];
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
   }
 
  private:
-  std::array<double, unknowns*(unknowns + 1) / 2> matrix_{};  // the lower triangle, row by row
-  std::array<double, unknowns> right_{};
+  static constexpr std::size_t lanes = FitPoints::lanes;
+  using Lanes = std::array<double, lanes>;
+  std::array<Lanes, terms_up_to(degree)> sums_{};
 };
+
+/// A polynomial for heights, and the standard deviation of points off it.
+template <int degree>
+struct HeightFit {
+  std::array<double, terms_up_to(degree)> coefficients;  ///< of a Quadric first
+  double deviation;
+};
+
+/// Weighted least squares by Cholesky's factors. None where points leave a coefficient open, such as all on a
+/// line.
+template <int degree>
+std::optional<HeightFit<degree>> height_fit(const FitPoints& points) {
+  constexpr std::size_t unknowns = terms_up_to(degree);
+  // Below this part of its own sum a pivot is rounding.
+  constexpr double least_pivot = 1e-10;
+  if (points.count <= unknowns) return {};
+  const Moments<2 * degree> sums(points.weight, points);
+  std::vector<double> weighted(points.weight.size());
+  double rest = 0.0;  // of the heights' squares, in the end
+  for (std::size_t i = 0; i < weighted.size(); ++i) {
+    weighted[i] = points.weight[i] * points.height[i];
+    rest += weighted[i] * points.height[i];
+  }
+  const Moments<degree> height_sums(weighted, points);
+
+  struct Term {
+    int i, j;
+    double factor;
+  };
+  std::array<Term, unknowns> terms;
+  std::size_t count = 0;
+  for (int power = 0; power <= degree; ++power) {
+    for (int j = 0; j <= power; ++j) terms[count++] = {power - j, j, power == 2 && j != 1 ? 0.5 : 1.0};
+  }
+  std::array<std::array<double, unknowns>, unknowns> matrix;  // its lower triangle
+  std::array<double, unknowns> right;
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    right[i] = terms[i].factor * height_sums.at(terms[i].i, terms[i].j);
+    for (std::size_t j = 0; j <= i; ++j) {
+      matrix[i][j] =
+          terms[i].factor * terms[j].factor * sums.at(terms[i].i + terms[j].i, terms[i].j + terms[j].j);
+    }
+  }
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = matrix[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= matrix[i][k] * matrix[j][k];
+      if (i != j) {
+        matrix[i][j] = sum / matrix[j][j];
+      } else if (sum > least_pivot * matrix[i][i]) {
+        matrix[i][i] = std::sqrt(sum);
+      } else {
+        return {};
+      }
+    }
+  }
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    for (std::size_t k = 0; k < i; ++k) right[i] -= matrix[i][k] * right[k];
+    right[i] /= matrix[i][i];
+    rest -= right[i] * right[i];
+  }
+  for (std::size_t i = unknowns; i-- > 0;) {
+    for (std::size_t k = i + 1; k < unknowns; ++k) right[i] -= matrix[k][i] * right[k];
+    right[i] /= matrix[i][i];
+  }
+  const double freedom = 1.0 - static_cast<double>(unknowns) / static_cast<double>(points.count);
+  return HeightFit<degree>{right, std::sqrt(std::max(0.0, rest) / (sums.at(0, 0) * freedom))};
+}
 
 /// Principal curvatures of the quadric where u = w = 0, over lengths of `radius`: eigenvalues of the second
 /// fundamental form by the first, whose Cholesky factor makes a frame of the tangents orthonormal.
@@ -133,20 +202,16 @@ Support support_of(const UnitMesh& mesh, const SurfaceMeasures& measures) {
   return support;
 }
 
-/// A vertex as a fit takes it: over lengths of the radius.
-struct FitPoint {
-  double u, w, height, weight;
-};
-
 /// The vertices of a region that count, about its first one.
 void take_points(const UnitMesh& mesh, const Support& support, const Region& region,
-                 const TangentFrame& frame, double radius, std::vector<FitPoint>& points) {
+                 const TangentFrame& frame, double radius, FitPoints& points) {
   const std::uint32_t vertex = region.vertices().front();
   const glm::dvec3 &middle = mesh.positions[vertex], &normal = support.normals[vertex];
+  const double per_radius = 1.0 / radius;
   points.clear();
   for (const std::uint32_t other : region.vertices()) {
     if (support.is_folded[other] != 0) continue;
-    const glm::dvec3 off = (mesh.positions[other] - middle) / radius;
+    const glm::dvec3 off = per_radius * (mesh.positions[other] - middle);
     const double u = glm::dot(off, frame.u), w = glm::dot(off, frame.w), height = glm::dot(off, normal);
     const double flat = u * u + w * w, chord = flat + height * height;
     // Falls smoothly to the rim, and to 0 for what faces away.
@@ -155,31 +220,9 @@ void take_points(const UnitMesh& mesh, const Support& support, const Region& reg
     // A circle through the vertex has the height k chord^2 / 2 whatever the chord, but not k flat^2 / 2: over
     // chords, spheres are quadrics, and the bias of a fit of finite size goes.
     const double stretch = flat > 0.0 ? std::sqrt(chord / flat) : 1.0;
-    points.push_back({stretch * u, stretch * w, height, weight});
+    points.add(stretch * u, stretch * w, height, weight);
   }
-}
-
-template <std::size_t unknowns>
-std::optional<std::array<double, unknowns>> solution(const std::vector<FitPoint>& points) {
-  if (points.size() <= unknowns) return {};
-  HeightFit<unknowns> sums;
-  for (const FitPoint& point : points) sums.add(point.u, point.w, point.height, point.weight);
-  return sums.solve();
-}
-
-/// What a solution leaves of the heights: the standard deviation of points off it.
-template <std::size_t unknowns>
-double deviation_of(const std::vector<FitPoint>& points, const std::array<double, unknowns>& solution) {
-  double squares = 0.0, weights = 0.0;
-  for (const FitPoint& point : points) {
-    const auto terms = terms_at<unknowns>(point.u, point.w);
-    double rest = point.height;
-    for (std::size_t i = 0; i < unknowns; ++i) rest -= solution[i] * terms[i];
-    squares += point.weight * rest * rest;
-    weights += point.weight;
-  }
-  const double freedom = 1.0 - static_cast<double>(unknowns) / static_cast<double>(points.size());
-  return weights > 0.0 ? std::sqrt(squares / (weights * freedom)) : 0.0;
+  points.fill_lanes();
 }
 
 struct Fit {
@@ -189,19 +232,20 @@ struct Fit {
 
 /// Fits a quadric, or with terms up to the fourth power, to the vertices that a region holds within a radius.
 /// None where there are too few, or where the surface is none over its tangent plane.
-template <std::size_t unknowns>
+template <int degree>
 std::optional<Fit> fit(const UnitMesh& mesh, const Support& support, const Region& region, double radius,
-                       std::vector<FitPoint>& points) {
+                       FitPoints& points) {
   const glm::dvec3& normal = support.normals[region.vertices().front()];
   if (normal == glm::dvec3(0.0)) return {};
   const TangentFrame frame(normal);
   take_points(mesh, support, region, frame, radius, points);
-  const auto found = solution<unknowns>(points);
+  const auto found = height_fit<degree>(points);
   if (!found) return {};
-  const Quadric quadric{(*found)[0], (*found)[1], (*found)[2], (*found)[3], (*found)[4], (*found)[5]};
+  const auto& c = found->coefficients;
+  const Quadric quadric{c[0], c[1], c[2], c[3], c[4], c[5]};
   constexpr double steepest = 1.7;  // 60 degrees
   if (!(quadric.tilt_u * quadric.tilt_u + quadric.tilt_w * quadric.tilt_w < steepest * steepest)) return {};
-  return Fit{bend_of(quadric, frame, normal, radius), deviation_of(points, *found)};
+  return Fit{bend_of(quadric, frame, normal, radius), found->deviation};
 }
 
 double median_of(std::vector<double>& values) {
@@ -219,7 +263,7 @@ struct Roughness {
 Roughness roughness_of(const UnitMesh& mesh, const Support& support, double radius) {
   constexpr std::size_t samples = 256, least_samples = 32;
   std::vector<double> deviations, bends;
-  std::vector<FitPoint> points;
+  FitPoints points;
   Region region(mesh);
   const std::size_t stride = std::max<std::size_t>(1, mesh.vertex_count() / samples);
   for (std::size_t vertex = 0; vertex < mesh.vertex_count(); vertex += stride) {
@@ -227,10 +271,10 @@ Roughness roughness_of(const UnitMesh& mesh, const Support& support, double radi
     if (normal == glm::dvec3(0.0) || mesh.on_border[vertex] != 0) continue;
     region.grow_vertices(static_cast<std::uint32_t>(vertex), radius);
     take_points(mesh, support, region, TangentFrame(normal), radius, points);
-    const auto found = solution<quartic_unknowns>(points);
+    const auto found = height_fit<quartic_degree>(points);
     if (!found) continue;
-    deviations.push_back(deviation_of(points, *found));
-    bends.push_back(std::max(std::abs((*found)[3]), std::abs((*found)[5])));
+    deviations.push_back(found->deviation);
+    bends.push_back(std::max(std::abs(found->coefficients[3]), std::abs(found->coefficients[5])));
   }
   if (deviations.size() < least_samples) return {};
   return {median_of(deviations), median_of(bends)};
@@ -265,7 +309,7 @@ FitSize size_for(const UnitMesh& mesh, const Support& support) {
 /// Fits a quartic that leaves no more than noise: where the surface has smaller features than the ball, that
 /// shrinks. Half of a ball at a border is empty, so that it has to be wider there.
 std::optional<VertexBend> quartic_bend(const UnitMesh& mesh, const Support& support, std::uint32_t vertex,
-                                       const FitSize& size, Region& region, std::vector<FitPoint>& points) {
+                                       const FitSize& size, Region& region, FitPoints& points) {
   constexpr double border_edges = 24.0, least_edges = 5.0, shrinking = 0.8;
   constexpr double most_noise = 1.4;  // in a ball; a lower limit takes chance for features
   region.grow_vertices(vertex, size.radius);
@@ -274,8 +318,8 @@ std::optional<VertexBend> quartic_bend(const UnitMesh& mesh, const Support& supp
   double reach = has_border ? std::max(size.radius, border_edges * mesh.mean_edge) : size.radius;
   std::optional<Fit> found;
   for (; reach >= least_edges * mesh.mean_edge; reach *= shrinking) {
-    region.grow_vertices(vertex, reach);
-    const std::optional<Fit> closer = fit<quartic_unknowns>(mesh, support, region, reach, points);
+    if (reach != size.radius) region.grow_vertices(vertex, reach);
+    const std::optional<Fit> closer = fit<quartic_degree>(mesh, support, region, reach, points);
     if (closer) found = closer;
     if (closer && closer->deviation * reach <= most_noise * size.noise) break;
   }
@@ -285,12 +329,12 @@ std::optional<VertexBend> quartic_bend(const UnitMesh& mesh, const Support& supp
 
 /// Fits to the vertices around one within a radius.
 std::optional<VertexBend> bend_at(const UnitMesh& mesh, const Support& support, std::uint32_t vertex,
-                                  const FitSize& size, Region& region, std::vector<FitPoint>& points) {
+                                  const FitSize& size, Region& region, FitPoints& points) {
   if (size.is_quartic) {
     if (const auto bend = quartic_bend(mesh, support, vertex, size, region, points)) return bend;
   }
   region.grow_vertices(vertex, size.radius);
-  const std::optional<Fit> found = fit<quadric_unknowns>(mesh, support, region, size.radius, points);
+  const std::optional<Fit> found = fit<quadric_degree>(mesh, support, region, size.radius, points);
   if (!found) return {};
   return found->bend;
 }
@@ -307,7 +351,7 @@ void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, std::op
   std::vector<std::uint8_t> is_open(mesh.vertex_count(), 0);
   parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
-    std::vector<FitPoint> points;
+    FitPoints points;
     queue.drain([&](std::size_t vertex) {
       std::optional<VertexBend> bend;
       double reach = size.radius;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,19 +38,34 @@ class Region {
     }
   }
 
-  /// Reaches vertices that hang together with one within a ball about it.
+  /// Reaches vertices that hang together with one within a ball about it, ring by ring. What follows from a
+  /// comparison is counted, not branched on: half of the branches would be predicted wrongly.
   void grow_vertices(std::uint32_t vertex, double radius) {
     ++number_;
     queue_.assign(1, vertex);
     vertex_marks_[vertex] = number_;
     const glm::dvec3 middle = mesh_.positions[vertex];
-    for (std::size_t i = 0; i < queue_.size(); ++i) {
-      for (const std::uint32_t other : mesh_.neighbours.neighbours_of(queue_[i])) {
-        if (vertex_marks_[other] == number_) continue;
-        vertex_marks_[other] = number_;
-        const glm::dvec3 off = mesh_.positions[other] - middle;
-        if (glm::dot(off, off) < radius * radius) queue_.push_back(other);
+    for (std::size_t begin = 0; begin < queue_.size();) {
+      std::size_t room = 0, found = 0;
+      for (std::size_t i = begin; i < queue_.size(); ++i)
+        room += mesh_.neighbours.neighbours_of(queue_[i]).size();
+      ring_.resize(std::max(ring_.size(), room));
+      for (std::size_t i = begin; i < queue_.size(); ++i) {
+        for (const std::uint32_t other : mesh_.neighbours.neighbours_of(queue_[i])) {
+          ring_[found] = other;
+          found += vertex_marks_[other] != number_ ? 1 : 0;
+          vertex_marks_[other] = number_;
+        }
       }
+      begin = queue_.size();
+      std::size_t end = begin;
+      queue_.resize(begin + found);
+      for (std::size_t i = 0; i < found; ++i) {
+        const glm::dvec3 off = mesh_.positions[ring_[i]] - middle;
+        queue_[end] = ring_[i];
+        end += glm::dot(off, off) < radius * radius ? 1 : 0;
+      }
+      queue_.resize(end);
     }
   }
 
@@ -58,7 +74,7 @@ class Region {
 
  private:
   const UnitMesh& mesh_;
-  std::vector<std::uint32_t> vertex_marks_, face_marks_, queue_;
+  std::vector<std::uint32_t> vertex_marks_, face_marks_, queue_, ring_;
   std::uint32_t number_ = 0;
 };
 
