@@ -104,10 +104,10 @@ void World::set_meshes(const std::vector<MeshParameters>& meshes) {
 
 void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
                        const std::vector<std::optional<std::size_t>>& before) {
-  std::unique_ptr<WorldBodies> made;
+  std::shared_ptr<WorldBodies> made;
   if (ocean_ && !bodies.empty()) {
     const BodiesBefore going_on{before.empty() ? nullptr : bodies_.get(), before};
-    made = std::make_unique<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_, going_on);
+    made = std::make_shared<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_, going_on);
   }
   const bool has_other_wakes = made || bodies_;
   bodies_ = std::move(made);
@@ -115,6 +115,13 @@ void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
   parameters_.run_up_s = run_up_s;
   if (has_other_wakes) set_wakes(parameters_.wakes);
   move_meshes_with_bodies();
+}
+
+void World::keep_bodies(std::shared_ptr<WorldBodies> bodies) {
+  if (!bodies_ || !bodies) return;
+  bodies_ = std::move(bodies);
+  bodies_->set_sea(body_sea());
+  renumber_body_meshes(std::vector(parameters_.bodies));
 }
 
 void World::renumber_body_meshes(const std::vector<BodySettings>& bodies) {

@@ -162,6 +162,11 @@ class World {
   /// Throws what WorldBodies throws.
   void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
                   const std::vector<std::optional<std::size_t>>& before = {});
+  /// The bodies with all that they remember, for keep_bodies(); none in a world without bodies.
+  std::shared_ptr<WorldBodies> shared_bodies() const { return bodies_; }
+  /// Puts bodies of an earlier world that had the same parameters in the place of those here, and leaves them
+  /// where they are.
+  void keep_bodies(std::shared_ptr<WorldBodies> bodies);
   /// The same bodies where they are now, whose meshes have other numbers.
   void renumber_body_meshes(const std::vector<BodySettings>& bodies);
   /// Throws Error(bad_usage) for more than most_lights.
@@ -226,7 +231,7 @@ class World {
   std::vector<ocean::ShoalingBand> cascade_bands_;   // of ocean_
   std::shared_ptr<const ocean::DepthMap> bed_;       // of terrain_; none: not made yet
   std::shared_ptr<const ocean::Shoals> shoals_;
-  std::unique_ptr<WorldBodies> bodies_;
+  std::shared_ptr<WorldBodies> bodies_;
   std::optional<WorldWakes> wakes_;
   int most_wake_steps_ = 0;
   ocean::WaterPoint eye_;

@@ -94,6 +94,7 @@ void LiveSea::try_out(world::World& world, const FrameRequest& request) const {
 void LiveSea::change(const std::function<void()>& work) {
   ++revision_;
   const world::WorldParameters before = world_->parameters();
+  const std::shared_ptr<world::WorldBodies> bodies = world_->shared_bodies();
   try {
     work();
     try_out(*world_, request_);
@@ -101,6 +102,7 @@ void LiveSea::change(const std::function<void()>& work) {
   } catch (const Error&) {
     // Any part may have changed; what it was made of needs no file again.
     world_ = std::make_unique<world::World>(device_, before);
+    world_->keep_bodies(bodies);
     throw;
   }
 }

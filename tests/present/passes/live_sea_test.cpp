@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
@@ -22,7 +23,11 @@ class LiveSeaTest : public test::GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (IsSkipped()) return;
-    scene_ = scene::parse_scene("version = 1\n[ocean]\nsize = 32\n", "a.toml", "");
+    open("[ocean]\nsize = 32\n");
+  }
+  void open(const std::string& sections) {
+    scene_ = scene::parse_scene("version = 1\n" + sections, "a.toml", "");
+    sea_.reset();
     sea_ = std::make_unique<LiveSea>(
         *context_,
         LiveSeaSettings{.device = "", .frame = {.water = {.cells = {32, 32}, .taps = 1}, .transfer = {}}},
@@ -62,6 +67,32 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
   edited.wind.wind_speed_mps = 20.0;
   sea_->edit(edited);
   EXPECT_FALSE(picture() == before) << "an edit that is taken cannot be seen";
+}
+
+// Fails if an edit that is refused, before or after the sea has changed, sends bodies elsewhere than where
+// edits before it had put them.
+TEST_F(LiveSeaTest, RefusedEditsLeaveBodiesWhereTheyAre) {
+  open(
+      "[ocean]\nsize = 32\ncascade_count = 1\n[[mesh]]\nname = \"hull\"\nshape = \"ship\"\nsize_m = 24\n"
+      "[[body]]\nmesh = \"hull\"\nspeed_mps = 5\ndraught_m = 1.5\n");
+  picture();
+  scene::Scene edited = scene_;
+  edited.bodies[0].z_m = 40.0;  // it starts anew at this time
+  sea_->edit(edited);
+  picture();
+  const auto place_m = [&](double time_s) { return sea_->bodies()->pose(0, time_s).mass_centre_m; };
+  const glm::dvec3 before_m = place_m(3.0);
+  EXPECT_NEAR(before_m.x, 0.0, 1.0);
+  for (const bool has_other_sea : {false, true}) {
+    scene::Scene refused = edited;
+    if (has_other_sea) refused.wind.wind_speed_mps = 20.0;
+    scene::MeshScene& mesh = refused.meshes.emplace_back();
+    mesh.name = "none";
+    mesh.file = "nowhere.obj";
+    EXPECT_THROW(sea_->edit(refused), Error);
+    picture();
+    EXPECT_EQ(place_m(3.0), before_m);
+  }
 }
 
 // Fails if waves that are too steep are not told of, or again and again while a slider moves.
