@@ -19,14 +19,14 @@ void RecordActions::open() {
     return;
   }
   const scene::TimeSection& time = state_.scene.time;
-  RecordWish wish = last_.value_or(RecordWish{.size = options_.size.value_or(ImageSize{}),
-                                              .detail = options_.detail.value_or(Detail::high)});
-  wish.start_s = time.start_s;
-  wish.seconds = std::max(time.end_s - time.start_s, 1.0 / time.frames_per_second);
-  wish.frames_per_second = time.frames_per_second;
-  wish.replaces = false;
-  wish.name = unused_record_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
-  dialog_.open(wish);
+  RecordingRequest request = last_.value_or(RecordingRequest{
+      .size = options_.size.value_or(ImageSize{}), .detail = options_.detail.value_or(Detail::high)});
+  request.start_s = time.start_s;
+  request.seconds = std::max(time.end_s - time.start_s, 1.0 / time.frames_per_second);
+  request.frames_per_second = time.frames_per_second;
+  request.replaces = false;
+  request.name = unused_record_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
+  dialog_.open(request);
 }
 
 /// Files that the user has not asked to be replaced.
@@ -43,14 +43,14 @@ void RecordActions::refuse_taken(const Recording& recording) const {
 }
 
 void RecordActions::begin() {
-  const RecordWish& wish = dialog_.wish();
+  const RecordingRequest& request = dialog_.request();
   try {
-    const Recording recording = recording_of(wish);
+    const Recording recording = recording_of(request);
     ViewOptions options;
     options.scene = state_.scene;
-    options.size = ImageSize{fitting_side(recording.video, wish.size.width),
-                             fitting_side(recording.video, wish.size.height)};
-    options.detail = wish.detail;
+    options.size = ImageSize{fitting_side(recording.video, request.size.width),
+                             fitting_side(recording.video, request.size.height)};
+    options.detail = request.detail;
     options.recording = recording;
     options.transfer = options_.transfer;
     options.device = options_.device;
@@ -58,7 +58,7 @@ void RecordActions::begin() {
     refuse_taken(recording);
     require_recording(recording, {scene::files_of(options.scene), options.scene.trust});
     job_ = std::make_unique<RecordingJob>(std::move(options));
-    last_ = wish;
+    last_ = request;
     dialog_.close();
     state_.message = {};
   } catch (const Error& error) {
@@ -97,7 +97,7 @@ void RecordActions::turn() {
 
 void RecordActions::for_shown_names(const std::function<void(std::string_view)>& tell) const {
   if (!dialog_.is_open()) return;
-  tell(dialog_.wish().name);
+  tell(dialog_.request().name);
   tell(dialog_.fault());
 }
 

@@ -40,7 +40,7 @@ class RecordActions {
   const ViewOptions& options_;
   ViewState& state_;
   RecordDialog dialog_;
-  std::optional<RecordWish> last_;  // what was recorded last
+  std::optional<RecordingRequest> last_;  // what was recorded last
   std::unique_ptr<RecordingJob> job_;
 };
 

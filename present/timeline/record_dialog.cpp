@@ -35,28 +35,28 @@ void explain_item(const char* text) {
 
 }  // namespace
 
-Recording recording_of(const RecordWish& wish) {
+Recording recording_of(const RecordingRequest& request) {
   constexpr double last_frame = 9'999'999.0;  // as --frames takes them
   constexpr double lowest_hz = 0.001, highest_hz = 1e6;
-  if (!(wish.frames_per_second >= lowest_hz && wish.frames_per_second <= highest_hz)) {
+  if (!(request.frames_per_second >= lowest_hz && request.frames_per_second <= highest_hz)) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("expected {:g} to {:g} frames/s, found {:g}", lowest_hz, highest_hz,
-                            wish.frames_per_second),
+                            request.frames_per_second),
                 "films have 24 frames/s");
   }
-  const double first = std::ceil(wish.start_s * wish.frames_per_second - 1e-9) + 0.0;  // + 0: never -0
-  const double last = first + std::round(wish.seconds * wish.frames_per_second) - 1.0;
+  const double first = std::ceil(request.start_s * request.frames_per_second - 1e-9) + 0.0;  // + 0: never -0
+  const double last = first + std::round(request.seconds * request.frames_per_second) - 1.0;
   if (!(first >= 0.0 && last >= first && last <= last_frame)) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("expected frames 0 to {:.0f}, found {:.0f} to {:.0f}", last_frame, first, last),
                 "record more than no seconds, from 0 s on");
   }
   const std::string name =
-      std::filesystem::absolute(FileBrowser().at(wish.name)).string() + name_ending_of(wish.format);
+      std::filesystem::absolute(FileBrowser().at(request.name)).string() + name_ending_of(request.format);
   Recording recording{.frames = {static_cast<int>(first), static_cast<int>(last)},
-                      .frames_per_second = wish.frames_per_second,
-                      .existing = wish.replaces ? Existing::replace : Existing::keep};
-  if (is_video(wish.format)) {
+                      .frames_per_second = request.frames_per_second,
+                      .existing = request.replaces ? Existing::replace : Existing::keep};
+  if (is_video(request.format)) {
     recording.video = name;
   } else {
     recording.name.emplace("name", name, "out_%04d.png");
@@ -77,18 +77,18 @@ std::string unused_record_name(const std::string& stem) {
   }
 }
 
-void RecordDialog::open(const RecordWish& wish) {
-  wish_ = wish;
+void RecordDialog::open(const RecordingRequest& request) {
+  request_ = request;
   fault_.clear();
   is_open_ = focuses_seconds_ = true;
 }
 
 void RecordDialog::draw_format() {
-  const auto shown = static_cast<std::size_t>(wish_.format);
+  const auto shown = static_cast<std::size_t>(request_.format);
   if (!ImGui::BeginCombo("format", record_format_names[shown])) return;
   has_list_ = true;
   for (std::size_t i = 0; i < record_format_names.size(); ++i) {
-    if (ImGui::Selectable(record_format_names[i], i == shown)) wish_.format = static_cast<RecordFormat>(i);
+    if (ImGui::Selectable(record_format_names[i], i == shown)) request_.format = static_cast<RecordFormat>(i);
   }
   if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
@@ -96,9 +96,9 @@ void RecordDialog::draw_format() {
 
 void RecordDialog::draw_size(ImageSize window) {
   constexpr int largest = scene::longest_picture_px;
-  std::array<int, 2> sides{wish_.size.width, wish_.size.height};
+  std::array<int, 2> sides{request_.size.width, request_.size.height};
   if (ImGui::InputInt2("width, height", sides.data()))
-    wish_.size = {std::clamp(sides[0], 1, largest), std::clamp(sides[1], 1, largest)};
+    request_.size = {std::clamp(sides[0], 1, largest), std::clamp(sides[1], 1, largest)};
   struct Usual {
     const char* label;
     ImageSize size;
@@ -107,22 +107,22 @@ void RecordDialog::draw_size(ImageSize window) {
       {{"720p", {1280, 720}}, {"1080p", {1920, 1080}}, {"2160p", {3840, 2160}}, {"window", window}}};
   for (const Usual& usual : all) {
     if (&usual != &all.front()) ImGui::SameLine();
-    if (ImGui::SmallButton(usual.label)) wish_.size = usual.size;
+    if (ImGui::SmallButton(usual.label)) request_.size = usual.size;
     explain_item(fmt::format("{} x {}", usual.size.width, usual.size.height).c_str());
   }
 }
 
 void RecordDialog::draw_range() {
   if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::InputDouble("seconds", &wish_.seconds, 0.0, 0.0, "%.6g");
-  ImGui::InputDouble("start, s", &wish_.start_s, 0.0, 0.0, "%.6g");
-  ImGui::InputDouble("frames/s", &wish_.frames_per_second, 0.0, 0.0, "%.6g");
+  ImGui::InputDouble("seconds", &request_.seconds, 0.0, 0.0, "%.6g");
+  ImGui::InputDouble("start, s", &request_.start_s, 0.0, 0.0, "%.6g");
+  ImGui::InputDouble("frames/s", &request_.frames_per_second, 0.0, 0.0, "%.6g");
 }
 
 void RecordDialog::draw_name() {
-  ImGui::InputText("name", &wish_.name);
+  ImGui::InputText("name", &request_.name);
   try {
-    const Recording recording = recording_of(wish_);
+    const Recording recording = recording_of(request_);
     const std::string first =
         (recording.name ? recording.name->of(recording.frames.first) : recording.video).string();
     ImGui::TextDisabled("%d frames: %d to %d", recording.count(), recording.frames.first,
@@ -131,7 +131,7 @@ void RecordDialog::draw_name() {
   } catch (const Error& error) {
     ImGui::TextDisabled("%s", error.what());
   }
-  ImGui::Checkbox("replace existing files", &wish_.replaces);
+  ImGui::Checkbox("replace existing files", &request_.replaces);
 }
 
 bool RecordDialog::draw(ImageSize window) {
@@ -151,8 +151,8 @@ bool RecordDialog::draw(ImageSize window) {
   draw_range();
   draw_format();
   draw_size(window);
-  bool is_high = wish_.detail == Detail::high;
-  if (ImGui::Checkbox("high detail", &is_high)) wish_.detail = is_high ? Detail::high : Detail::low;
+  bool is_high = request_.detail == Detail::high;
+  if (ImGui::Checkbox("high detail", &is_high)) request_.detail = is_high ? Detail::high : Detail::low;
   explain_item("as --detail high of the command line; without: coarser, and faster where the CPU draws");
   draw_name();
   ImGui::PushStyleColor(ImGuiCol_Text, fault_colour());

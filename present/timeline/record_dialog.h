@@ -15,7 +15,7 @@ inline constexpr std::array<const char*, 4> record_format_names{
     "video (.mp4)", "video (.webm)", "pictures (.png)", "scene-linear pictures (.exr)"};
 
 /// What a user asks to be recorded.
-struct RecordWish {
+struct RecordingRequest {
   RecordFormat format = RecordFormat::mp4;
   ImageSize size = {};
   double start_s = 0.0, seconds = 2.0, frames_per_second = 24.0;
@@ -25,7 +25,7 @@ struct RecordWish {
 };
 
 /// The recording that is asked for. Throws Error(bad_usage) for a name or a range that cannot be.
-Recording recording_of(const RecordWish& wish);
+Recording recording_of(const RecordingRequest& request);
 
 /// The first of stem_001, stem_002 ... that no file of the current folder begins with.
 std::string unused_record_name(const std::string& stem);
@@ -34,8 +34,8 @@ std::string unused_record_name(const std::string& stem);
 /// have the keyboard; Enter records, Esc closes the dialog.
 class RecordDialog {
  public:
-  /// `wish`: what it shows first.
-  void open(const RecordWish& wish);
+  /// `request`: what it shows first.
+  void open(const RecordingRequest& request);
   bool is_open() const { return is_open_; }
   void close() { is_open_ = false; }
   /// Stays open and says why this cannot be recorded.
@@ -43,7 +43,7 @@ class RecordDialog {
   /// Why not; empty without a reason.
   const std::string& fault() const { return fault_; }
   /// As it was edited last.
-  const RecordWish& wish() const { return wish_; }
+  const RecordingRequest& request() const { return request_; }
   /// Between PanelLayer::begin() and end(). Whether it is to be recorded.
   bool draw(ImageSize window);
 
@@ -54,7 +54,7 @@ class RecordDialog {
   void draw_name();
 
   bool is_open_ = false, focuses_seconds_ = false, has_list_ = false;
-  RecordWish wish_;
+  RecordingRequest request_;
   std::string fault_;
 };
 

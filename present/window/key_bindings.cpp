@@ -60,7 +60,8 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_S, "Ctrl Shift S", save_as, "save the scene under another name",
        GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_ESCAPE, "Esc", deselect, "close lists and dialogs; else deselect"},
-      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first if there are unsaved edits", GLFW_MOD_CONTROL},
+      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first if there are unsaved edits or a recording runs",
+       GLFW_MOD_CONTROL},
   }};
   return bindings;
 }

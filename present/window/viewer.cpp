@@ -111,6 +111,7 @@ Viewer::~Viewer() {
     if (!extent.is_maximised) glfwGetWindowSize(window(), &extent.width, &extent.height);
   }
   if (state_.look != kept_look_) write_look(state_file("look"), state_.look);
+  if (record_.is_recording()) glfwHideWindow(window());  // the end of its frame in progress may take a while
 }
 
 LiveSeaSettings Viewer::sea_settings() {
@@ -250,12 +251,7 @@ void Viewer::escape() {
 void Viewer::request_quit() {
   files_.close();
   record_.close();
-  if (record_.is_recording()) {
-    state_.message = {.text = "a recording runs: cancel it, or wait for its end, then quit",
-                      .is_fault = true};
-    return;
-  }
-  quit_.open();
+  quit_.open(record_.progress());
   // A minimised window cannot ask.
   const bool is_minimised = glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE;
   if (quit_.is_open() && is_minimised) glfwRestoreWindow(window());
@@ -523,7 +519,7 @@ PanelEdits Viewer::draw_panels() {
   int width = 1, height = 1;
   glfwGetFramebufferSize(window(), &width, &height);
   record_.draw({width, height});
-  quit_.draw();
+  quit_.draw(record_.progress());
   panels_.end();
   if (!panels_.is_in_use() && std::exchange(kept_look_, state_.look) != state_.look)
     write_look(state_file("look"), state_.look);

@@ -37,6 +37,10 @@ class WindowRecordTest : public WindowTest {
     }
     return nullptr;
   }
+  static bool asks_to_quit() {
+    const ImGuiWindow* question = ImGui::FindWindowByName("###quit");
+    return question != nullptr && question->Active;
+  }
   void wait_for_end() {
     constexpr double longest_s = 60.0;
     const double end_s = glfwGetTime() + longest_s;
@@ -117,8 +121,8 @@ TEST_F(WindowRecordTest, PicturesOfAnyRange) {
   EXPECT_EQ(files().size(), 8u);
 }
 
-// Fails if a recording holds up the window, its frames follow edits that come after it has begun, quitting
-// ends it, or a cancelled one leaves a part of a video.
+// Fails if a recording holds up the window, quitting ends it without a question, or a cancelled one leaves a
+// part of a video.
 TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
   const StandInFfmpeg ffmpeg;
   open(two_frames_a_second());
@@ -133,7 +137,10 @@ TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
   press("h");
   press("Escape");
   press_with_control("q");
-  EXPECT_THAT(message(), HasSubstr("a recording runs"));
+  EXPECT_TRUE(asks_to_quit());
+  press("Escape");
+  EXPECT_FALSE(asks_to_quit());
+  EXPECT_TRUE(viewer_->is_recording());
   press_with_control("r");
   EXPECT_THAT(message(), HasSubstr("one recording runs at a time"));
   click(find(timeline(), "cancel##recording", 440));
@@ -141,6 +148,30 @@ TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
   EXPECT_EQ(message(), "cancelled: no video is written");
   EXPECT_THAT(files(), testing::IsEmpty());
   EXPECT_TRUE(viewer_->turn());
+}
+
+// Fails if quitting does not end a recording, leaves a part of its video, or forgets to ask after edits.
+TEST_F(WindowRecordTest, QuittingEndsIt) {
+  const StandInFfmpeg ffmpeg;
+  for (const bool has_edits : {false, true}) {
+    open(two_frames_a_second());
+    if (has_edits) press_with_control("1");
+    press_with_control("r");
+    turn(2);
+    type("100000");
+    press("Return");
+    turn(2);
+    ASSERT_TRUE(viewer_->is_recording());
+    press_with_control("q");
+    ASSERT_TRUE(asks_to_quit());
+    find(ImGui::FindWindowByName("###quit"), has_edits ? "discard" : "quit", has_edits ? 70 : 15);
+    hands_->button(Hands::Button::left, Hands::Motion::down);
+    turn();
+    hands_->button(Hands::Button::left, Hands::Motion::up);
+    EXPECT_FALSE(viewer_->turn() && viewer_->turn());
+    viewer_.reset();
+    EXPECT_THAT(files(), testing::IsEmpty());
+  }
 }
 
 // Fails if a machine without ffmpeg closes the dialog or begins to record, or Esc does not close the dialog.

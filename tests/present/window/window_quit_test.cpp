@@ -37,11 +37,11 @@ class WindowQuitTest : public WindowTest {
     ASSERT_EQ(state().scene.bookmarks.size(), 1u) << message();
   }
   static bool asks() {
-    const ImGuiWindow* dialog = ImGui::FindWindowByName("Save before quitting?");
+    const ImGuiWindow* dialog = ImGui::FindWindowByName("###quit");
     return dialog != nullptr && dialog->Active;
   }
   void click_in_dialog(const std::string& button) {
-    ImGuiWindow* dialog = ImGui::FindWindowByName("Save before quitting?");
+    ImGuiWindow* dialog = ImGui::FindWindowByName("###quit");
     const int x_px = button == "save" ? 15 : button == "discard" ? 70 : 135;
     find(dialog, button, x_px);
     hands_->button(Hands::Button::left, Hands::Motion::down);
