@@ -12,6 +12,7 @@
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/schema/parameter_table.h"
 #include "present/editing/cloud_editor.h"
+#include "present/editing/objects/selection.h"
 #include "present/panels/sun_dial.h"
 
 namespace offing::present {
@@ -154,12 +155,22 @@ void draw_costs(const ViewState& state, LiveSea& sea) {
     ImGui::Text("%zu of the picked cloud before edits", particles[cloud]->size());
 }
 
+/// A cloud is selected, or clicks make clouds or pick parts of them.
+bool is_wanted(const ViewState& state) {
+  const CloudEditing& editing = state.clouds;
+  if (editing.tool != CloudTool::pick) return true;
+  if (!state.scene.has_clouds()) return false;
+  if (editing.pick == CloudPick::balls || editing.pick == CloudPick::particles) return true;
+  const std::optional<SceneObject> selected = selected_object(state);
+  return selected && selected->kind == ObjectKind::cloud;
+}
+
 }  // namespace
 
 Edit draw_cloud_panel(ViewState& state, LiveSea& sea) {
   CloudEditing& editing = state.clouds;
-  if (!state.scene.has_clouds() && editing.tool == CloudTool::pick) return Edit::none;
   forget_lost_picks(state);
+  if (!is_wanted(state)) return Edit::none;
   state.layout.place_right();
   Edit edit = Edit::none;
   if (ImGui::Begin("Cloud editor", nullptr,

@@ -230,6 +230,8 @@ void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& ed
   if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
   ImGui::PushID("properties");
   if (object.kind == ObjectKind::bookmark) draw_view_buttons(state, object.index, edits);
+  if (object.kind == ObjectKind::camera)
+    ImGui::TextDisabled("Fly with W A S D and the mouse. A bookmark is a view with handles.");
   for (const scene::ParameterGroup group : groups_of(object.kind)) {
     note_edit(draw_presets(state.scene, group, {object.index, 0}), group, state, edits);
     for (const scene::Parameter& row : scene::parameter_table()) {

@@ -95,7 +95,7 @@ void draw_object_handles(const OverlayPainter& painter, const Screen& screen, co
       painter.knob(place.place_px, colour);
     } else if (place.handle <= ObjectHandle::plane_z) {
       painter.square_knob(place.place_px, axis_colour(place.handle, ObjectHandle::plane_x));
-    } else if (place.handle == ObjectHandle::radius) {
+    } else if (place.handle == ObjectHandle::radius || place.handle == ObjectHandle::side) {
       painter.square_knob(place.place_px, rim_colour);
     } else {
       painter.knob(place.place_px, selected_colour);

@@ -191,7 +191,7 @@ void draw_square(const OverlayPainter& painter, const Screen& screen, const Sphe
 
 HandleSet handles_of(ObjectKind kind) {
   if (kind == ObjectKind::bookmark) return camera_handles();
-  return kind == ObjectKind::wake ? water_handles() : sphere_handles();
+  return kind == ObjectKind::wake ? water_square_handles() : square_handles();
 }
 
 }  // namespace

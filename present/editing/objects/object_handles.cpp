@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -19,6 +21,11 @@ constexpr std::array all_handles{ObjectHandle::x,       ObjectHandle::y,       O
                                  ObjectHandle::turn_y,  ObjectHandle::turn_z};
 constexpr std::array handles_afloat{ObjectHandle::x, ObjectHandle::z, ObjectHandle::plane_y,
                                     ObjectHandle::radius, ObjectHandle::turn_y};
+constexpr std::array handles_of_square{ObjectHandle::x,       ObjectHandle::y,       ObjectHandle::z,
+                                       ObjectHandle::plane_x, ObjectHandle::plane_y, ObjectHandle::plane_z,
+                                       ObjectHandle::free,    ObjectHandle::side};
+constexpr std::array handles_of_water_square{ObjectHandle::x, ObjectHandle::z, ObjectHandle::plane_y,
+                                             ObjectHandle::side};
 constexpr std::array handles_of_camera{ObjectHandle::x,       ObjectHandle::y,       ObjectHandle::z,
                                        ObjectHandle::plane_x, ObjectHandle::plane_y, ObjectHandle::plane_z,
                                        ObjectHandle::free,    ObjectHandle::turn_y};
@@ -45,6 +52,13 @@ std::optional<glm::dvec3> place_of_hand(const Screen& screen, ObjectHandle handl
     const std::optional<double> along_m = along_axis(ray, sphere.centre_m, axis);
     return along_m ? std::optional(*along_m * axis) : std::nullopt;
   }
+  if (handle == ObjectHandle::side) {
+    // Also far away, where it is close to the horizon.
+    constexpr double flattest = 1e-3;
+    const double rise = ray.direction.y, height_m = sphere.centre_m.y - ray.origin_m.y;
+    if (std::abs(rise) < flattest || rise * height_m <= 0.0) return {};
+    return ray.origin_m + height_m / rise * ray.direction - sphere.centre_m;
+  }
   const bool goes_with_screen = handle == ObjectHandle::free || handle == ObjectHandle::radius;
   const glm::dvec3 normal = goes_with_screen ? basis(screen.camera).forward : unit(axis_of(handle));
   const std::optional<glm::dvec3> place_m = on_plane(ray, sphere.centre_m, normal);
@@ -54,6 +68,29 @@ std::optional<glm::dvec3> place_of_hand(const Screen& screen, ObjectHandle handl
 bool moves_along(ObjectHandle handle, int axis) {
   if (handle <= ObjectHandle::z) return axis_of(handle) == axis;
   return handle == ObjectHandle::free || axis_of(handle) != axis;
+}
+
+/// Where the eye looks over the side of a level square, relative to the middle: the far side, so that it is
+/// in the picture also if the eye is within the square.
+glm::dvec3 seen_side(const Screen& screen, const Sphere& square) {
+  const CameraBasis axes = basis(screen.camera);
+  glm::dvec2 ahead(axes.forward.x, axes.forward.z);
+  if (glm::length(ahead) < 1e-6) ahead = {axes.up.x, axes.up.z};  // it looks straight up or down
+  const glm::dvec3 eye_m = screen.camera.eye_m - square.centre_m;
+  double enters = 0.0, leaves = std::numeric_limits<double>::infinity();
+  for (const auto& [from_m, way] : {std::pair(eye_m.x, ahead.x), {eye_m.z, ahead.y}}) {
+    const double to_low = (-square.radius_m - from_m) / way, to_high = (square.radius_m - from_m) / way;
+    enters = std::max(enters, std::min(to_low, to_high));
+    leaves = std::min(leaves, std::max(to_low, to_high));
+  }
+  if (leaves > enters) return {eye_m.x + leaves * ahead.x, 0.0, eye_m.z + leaves * ahead.y};
+  const double longest = std::max(std::abs(ahead.x), std::abs(ahead.y));  // it looks past the square
+  return square.radius_m / longest * glm::dvec3(ahead.x, 0.0, ahead.y);
+}
+
+/// How far from the middle a hand is: of a square as the half side of the one that it is on.
+double reach_of(ObjectHandle handle, const glm::dvec3& way_m) {
+  return handle == ObjectHandle::side ? std::max(std::abs(way_m.x), std::abs(way_m.z)) : glm::length(way_m);
 }
 
 /// Points of a ring about an axis.
@@ -76,8 +113,11 @@ HandleSet mesh_handles() {
 HandleSet floating_handles() {
   return handles_afloat;
 }
-HandleSet water_handles() {
-  return HandleSet(handles_afloat).first(4);
+HandleSet square_handles() {
+  return handles_of_square;
+}
+HandleSet water_square_handles() {
+  return handles_of_water_square;
 }
 HandleSet camera_handles() {
   return handles_of_camera;
@@ -103,6 +143,8 @@ std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const 
     } else if (handle == ObjectHandle::radius) {
       // To the left, where no arrow of a camera that looks north is.
       add(handle, -sphere.radius_m * basis(screen.camera).right);
+    } else if (handle == ObjectHandle::side) {
+      add(handle, seen_side(screen, sphere));
     } else if (handle <= ObjectHandle::z) {
       add(handle, arrow_px * unit_m * unit(axis));
     } else if (handle <= ObjectHandle::plane_z) {
@@ -123,8 +165,8 @@ std::optional<ObjectPull> object_pull(const Screen& screen, ObjectHandle handle,
   const std::optional<glm::dvec3> to_m = place_of_hand(screen, handle, sphere, to);
   if (!from_m || !to_m) return {};
   ObjectPull pull;
-  if (handle == ObjectHandle::radius) {
-    pull.ratio = std::max(glm::length(*to_m) / std::max(glm::length(*from_m), 1e-9), 1e-3);
+  if (handle == ObjectHandle::radius || handle == ObjectHandle::side) {
+    pull.ratio = std::max(reach_of(handle, *to_m) / std::max(reach_of(handle, *from_m), 1e-9), 1e-3);
     if (steps.way_m > 0.0) {
       pull.ratio =
           std::max(snapped(pull.ratio * sphere.radius_m, steps.way_m), steps.way_m) / sphere.radius_m;

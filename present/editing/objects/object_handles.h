@@ -10,20 +10,21 @@
 namespace offing::present {
 
 /// What a hand can take hold of on a selected object: arrows along the world's axes, squares in the planes
-/// between them (named by their normals), its middle, which goes with the screen, its rim, which resizes it,
-/// and rings, which turn it about the axes.
-enum class ObjectHandle { x, y, z, plane_x, plane_y, plane_z, free, radius, turn_x, turn_y, turn_z };
+/// between them (named by their normals), its middle, which goes with the screen, what resizes it (the rim of
+/// a sphere or a side of a level square), and rings, which turn it about the axes.
+enum class ObjectHandle { x, y, z, plane_x, plane_y, plane_z, free, radius, side, turn_x, turn_y, turn_z };
 
 /// Which of them an object has.
 using HandleSet = std::span<const ObjectHandle>;
 /// Of what is moved and resized, such as a ball of a cloud; of what is only moved, such as particles; of what
-/// is turned too, such as a mesh; of what stays upright on the water, or is a square of it; and of what
-/// stands somewhere and looks around, such as a camera.
+/// is turned too, such as a mesh; of what stays upright on the water; of a level square, such as a layer of
+/// clouds, and of one on the water; and of what stands somewhere and looks around, such as a camera.
 HandleSet sphere_handles();
 HandleSet place_handles();
 HandleSet mesh_handles();
 HandleSet floating_handles();
-HandleSet water_handles();
+HandleSet square_handles();
+HandleSet water_square_handles();
 HandleSet camera_handles();
 
 struct ObjectHandlePlace {
@@ -32,8 +33,8 @@ struct ObjectHandlePlace {
   glm::dvec2 place_px;
 };
 
-/// The handles of a sphere; arrows and rings are as large on every screen. Those behind the eye are left out.
-/// A ring has many places, in order around it.
+/// The handles of a sphere, or of a level square with sides of twice its radius; arrows and rings are as
+/// large on every screen. Those behind the eye are left out. A ring has many places, in order around it.
 std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const Sphere& sphere,
                                                     HandleSet handles);
 

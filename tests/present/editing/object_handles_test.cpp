@@ -107,6 +107,48 @@ TEST(ObjectHandlesTest, TheRimResizes) {
   EXPECT_EQ(pull->way_m, glm::dvec3(0.0));
 }
 
+// A square's handle is where its side crosses the middle of the picture: from within the square, from
+// outside, and for a flat look at a far side. Fails if it is elsewhere, or the side does not follow the hand.
+TEST(ObjectHandlesTest, SidesOfSquaresAreSeenAndResize) {
+  struct View {
+    glm::dvec3 eye_m;
+    double yaw_rad;
+    Sphere square;
+  };
+  for (const View& view : {View{{30.0, 8.0, -20.0}, 0.4, {{0.0, 0.0, 0.0}, 60.0}},
+                           {{30.0, 8.0, -20.0}, 2.9, {{0.0, 0.0, 0.0}, 60.0}},
+                           {{-5.0, 8.0, 300.0}, 0.05, {{0.0, 0.0, 0.0}, 60.0}},
+                           {{900.0, 5.0, 100.0}, -1.5, {{500.0, 1500.0, 0.0}, 9000.0}}}) {
+    Screen look = screen();
+    look.camera.eye_m = view.eye_m;
+    look.camera.yaw_rad = view.yaw_rad;
+    look.camera.pitch_rad = 0.0;
+    const auto places = object_handle_places(look, view.square, square_handles());
+    const auto side = std::ranges::find(places, ObjectHandle::side, &ObjectHandlePlace::handle);
+    ASSERT_NE(side, places.end());
+    EXPECT_NEAR(side->place_px.x, 400.0, 1e-6);
+    EXPECT_GT(side->place_px.y, 0.0);
+    EXPECT_LT(side->place_px.y, 400.0);
+    EXPECT_EQ(object_handle_at(places, side->place_px), ObjectHandle::side);
+    const glm::dvec3 middle_m = view.square.centre_m, way_m = side->place_m - middle_m;
+    EXPECT_NEAR(std::max(std::abs(way_m.x), std::abs(way_m.z)), view.square.radius_m, 1e-6);
+    const auto clip_at = [&](const glm::dvec3& place_m) {
+      const glm::dvec2 px = *pixel_of(look, place_m);
+      return glm::dvec2(2.0 * px.x / 800.0 - 1.0, 1.0 - 2.0 * px.y / 400.0);
+    };
+    const auto pull = object_pull(look, ObjectHandle::side, view.square, clip_at(side->place_m),
+                                  clip_at(middle_m + 1.5 * way_m), {});
+    ASSERT_TRUE(pull);
+    EXPECT_NEAR(pull->ratio, 1.5, 1e-6);
+    EXPECT_EQ(pull->way_m, glm::dvec3(0.0));
+  }
+  // The eye looks past it.
+  Screen past = screen();
+  past.camera.yaw_rad = 1.0;
+  const auto places = object_handle_places(past, {{0.0, 0.0, -4000.0}, 60.0}, square_handles());
+  EXPECT_TRUE(std::ranges::all_of(places, [](const auto& place) { return std::isfinite(place.place_px.x); }));
+}
+
 // With a step the middle comes to rest at multiples along what moves, and only there; the radius too.
 TEST(ObjectHandlesTest, SnapsToSteps) {
   const auto along = object_pull(screen(), ObjectHandle::x, ball, clip_of(ball.centre_m),
