@@ -259,7 +259,7 @@ TEST_F(UndoPicturesTest, OfObjects) {
         editing_->duplicate_picked(screen());
       });
     }
-    const bool is_beneath_a_body = object.kind == ObjectKind::sea;
+    const bool is_beneath_a_body = object.kind == ObjectKind::sea;  // see below
     if (can_be_removed(state_.scene, object) && !is_beneath_a_body) {
       expect_undone_and_redone("delete " + name, false, [&] {
         select_object(state_, object);
@@ -275,6 +275,16 @@ TEST_F(UndoPicturesTest, OfObjects) {
   }
   change("hide", true,
          [](scene::Scene& scene) { scene.meshes[0].material.visible = world::MeshVisibility::off; });
+  // A sea that carries bodies cannot be deleted.
+  editing_->make([](scene::Scene& scene) {
+    remove_object(scene, {ObjectKind::body, 0});
+    return std::string();
+  });
+  untouched_ = picture();
+  expect_undone_and_redone("delete the sea", true, [&] {
+    select_object(state_, {ObjectKind::sea, 0});
+    editing_->remove_picked();
+  });
 }
 
 // Fails as above for presets, handles, keyframes, bookmarks and files.
@@ -310,6 +320,17 @@ TEST_F(UndoPicturesTest, OfAllElse) {
   change("a mesh's file", true, [&](scene::Scene& scene) {
     add_dropped(scene, mesh, DroppedKind::mesh, {0.0, 3.0, 4.0});
   });
+  const std::filesystem::path map = folder.path() / "hill.asc";
+  std::ofstream(map) << "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 300\n-9 -9 -9\n-9 200 -9\n-9 "
+                        "-9 -9\n";
+  change("a map's file", true,
+         [&](scene::Scene& scene) { add_dropped(scene, map, DroppedKind::height_map, {}); });
+  const std::filesystem::path cloud = folder.path() / "haze.ply";
+  std::ofstream(cloud) << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                          "property float z\nproperty float radius\nproperty float optical_mass\nend_header\n"
+                          "0 300 -900 120 80000\n";
+  change("a cloud's file", true,
+         [&](scene::Scene& scene) { add_dropped(scene, cloud, DroppedKind::cloud, {}); });
   change("a spectrum's file", true, [&](scene::Scene& scene) {
     add_dropped(scene, OFFING_SOURCES "/scenes/example_sea.data_spec", DroppedKind::spectrum, {});
   });
