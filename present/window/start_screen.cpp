@@ -1,5 +1,7 @@
 #include "present/window/start_screen.h"
 
+#include <algorithm>
+
 #include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -19,18 +21,22 @@ void StartScreen::show(const std::string& title, const OpeningStep& step) {
   const std::string text = fmt::format("{}\npreparing {}", title, step.work);
   panels_.need(text);
   panels_.begin();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize, padding = ImGui::GetStyle().WindowPadding;
+  const ImVec2 bar(16.0f * ImGui::GetFontSize(), ImGui::GetFrameHeight());
+  const ImVec2 words = ImGui::CalcTextSize(text.c_str());
+  // ImGui hides a window in its first frame unless it is given a size; the next frame may be a second away.
+  ImGui::SetNextWindowSize(ImVec2(std::max(bar.x, words.x) + 2.0f * padding.x,
+                                  words.y + ImGui::GetStyle().ItemSpacing.y + bar.y + 2.0f * padding.y));
   ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags plain =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("start", nullptr, plain);
   ImGui::TextUnformatted(text.c_str());
   // Where the share is not known, a dot that moves shows that work goes on.
   constexpr int places = 24;
   const auto place = static_cast<int>(glfwGetTime() * 8.0) % places;
-  const ImVec2 size(16.0f * ImGui::GetFontSize(), 0.0f);
   if (step.share) {
-    ImGui::ProgressBar(static_cast<float>(*step.share), size);
+    ImGui::ProgressBar(static_cast<float>(*step.share), bar);
   } else {
     std::string dots(places, '.');
     dots[static_cast<std::size_t>(place)] = 'o';

@@ -119,6 +119,7 @@ LiveSeaSettings Viewer::sea_settings() {
   const Quality quality = options_.recording ? Quality{} : control_.quality();
   LiveSeaSettings settings = present::sea_settings(options_, context_.capabilities(), cancel_, quality);
   settings.watch = [this](const OpeningStep& step) { start_screen_.show(title(options_), step); };
+  settings.watch({.work = "OpenCL", .share = {}});
   return settings;
 }
 

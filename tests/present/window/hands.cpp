@@ -121,6 +121,20 @@ void Hands::close() {
   XSync(state_->display, False);
 }
 
+std::vector<unsigned char> Hands::screen() const {
+  const int number = DefaultScreen(state_->display);
+  const auto width = static_cast<unsigned>(DisplayWidth(state_->display, number));
+  const auto height = static_cast<unsigned>(DisplayHeight(state_->display, number));
+  XImage* image =
+      XGetImage(state_->display, DefaultRootWindow(state_->display), 0, 0, width, height, AllPlanes, ZPixmap);
+  if (image == nullptr) throw std::runtime_error("the display server shows no screen");
+  const std::size_t size = static_cast<std::size_t>(image->bytes_per_line) * height;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(image->data);
+  std::vector<unsigned char> pixels(bytes, bytes + size);
+  XDestroyImage(image);
+  return pixels;
+}
+
 void Hands::minimise() {
   state_->minimised = state_->focused();
   state_->set_wm_state(state_->minimised, IconicState);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace offing::test {
 
@@ -31,6 +32,8 @@ class Hands {
   std::string title() const;
   /// As a window manager closes the window that has the keyboard.
   void close();
+  /// All pixels of the screen, four bytes each.
+  std::vector<unsigned char> screen() const;
   /// As a window manager minimises and restores the window that has the keyboard.
   void minimise();
   void restore();
