@@ -180,7 +180,7 @@ void draw_row(ViewState& state, const SceneObject& object, bool is_selected, Pan
 
 void draw_list(ViewState& state, PanelEdits& edits) {
   // In a low window there is to be room for the values below the list.
-  constexpr float least_rows = 4.0f, most_rows = 12.0f, most_share = 0.35f;
+  constexpr float least_rows = 4.0f, most_rows = 12.0f, most_share = 0.25f;
   const float room = most_share * ImGui::GetIO().DisplaySize.y / ImGui::GetTextLineHeightWithSpacing();
   const std::vector<SceneObject> objects = objects_of(state.scene);
   const std::optional<SceneObject> selected = selected_object(state);

@@ -119,10 +119,10 @@ void PanelLayout::end_message() {
 }
 
 void stay_in_line(const char* label) {
-  ImGui::SameLine();
+  const ImGuiStyle& style = ImGui::GetStyle();
   const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  const float width = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-  if (ImGui::GetCursorScreenPos().x + width > end) ImGui::NewLine();
+  const float width = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * style.FramePadding.x;
+  if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= end) ImGui::SameLine();
 }
 
 }  // namespace offing::present

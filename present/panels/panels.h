@@ -54,7 +54,7 @@ enum class RayChoice { all, three_quarters, half, quarter };
 inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
 
 /// Of the main panel's width, for what a value is changed with; its name is beside it.
-inline constexpr float item_share = 0.45f;
+inline constexpr float item_share = 0.42f;
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {

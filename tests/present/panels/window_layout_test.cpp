@@ -91,10 +91,11 @@ TEST_F(WindowLayoutTest, NothingIsCoveredOrClipped) {
   }
 }
 
-// Fails if the name of a value is cut off at the panel's edge.
+// Fails if the name of a value is cut off at the panel's edge, or at its scrollbar.
 TEST_F(WindowLayoutTest, NamesOfValuesFit) {
   open(quick_options());
-  const float room = main_panel()->WorkRect.GetWidth();
+  ASSERT_FALSE(main_panel()->ScrollbarY);
+  const float room = main_panel()->WorkRect.GetWidth() - ImGui::GetStyle().ScrollbarSize;
   const ImGuiStyle& style = ImGui::GetStyle();
   for (const scene::Parameter& row : scene::parameter_table()) {
     float taken = present::item_share * room + style.ItemInnerSpacing.x;
