@@ -132,6 +132,7 @@ TEST_F(WindowDialogTest, WindAndSaveAsInFourSteps) {
   press_with_control_and_shift("s");
   ASSERT_TRUE(is_open());
   press("Return");
+  EXPECT_LE(steps(), 4);
   turn(3);
   EXPECT_FALSE(is_open());
   EXPECT_FALSE(state().message.is_fault) << message();
@@ -175,6 +176,7 @@ TEST_F(WindowDialogTest, MapsBecomeTheGround) {
   press("Down");  // ".."
   press("Down");
   press("Return");
+  EXPECT_LE(steps(), 4);
   turn(6);
   EXPECT_FALSE(is_open());
   EXPECT_FALSE(state().message.is_fault) << message();

@@ -69,11 +69,13 @@ TEST_F(WindowRecordTest, FiveSecondsInThreeSteps) {
   const StandInFfmpeg ffmpeg;
   open(two_frames_a_second());
   look_at_sea();
+  const int steps_before = steps();
   press_with_control("r");
   ASSERT_TRUE(viewer_->is_recording());
   turn(2);
   type("5");
   press("Return");
+  EXPECT_LE(steps() - steps_before, 3);
   wait_for_end();
   EXPECT_THAT(message(), HasSubstr("offing_001.mp4"));
   EXPECT_FALSE(state().message.is_fault) << message();

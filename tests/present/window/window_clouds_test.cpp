@@ -227,6 +227,19 @@ TEST_F(WindowCloudsTest, ParticlesByHand) {
   EXPECT_TRUE(settled_image() == untouched);
 }
 
+// Fails if a cloud takes more than two steps, or is not in the picture.
+TEST_F(WindowCloudsTest, ACloudInTwoSteps) {
+  open(options_of(
+      scene::parse_scene("version = 1\n[ocean]\nsize = 32\n[camera]\npitch_deg = 15\n", "a.toml", ".")));
+  const std::vector<unsigned char> before = picture();
+  const int steps_before = steps();
+  press("c");
+  click({200, 100});
+  EXPECT_LE(steps() - steps_before, 2);
+  ASSERT_EQ(state().scene.clouds.size(), 1u) << message();
+  EXPECT_FALSE(settled_image() == before);
+}
+
 // The whole way of an artist, as the acceptance has it: three balls are placed, one resized, undone twice,
 // done again, the genus changed, the sun put to dusk; the saved scene shows the same picture.
 TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {

@@ -422,12 +422,13 @@ TEST_F(WindowObjectsTest, NewMeshesAreSeen) {
 // space bar. Fails if it stands still, does not keep its speed, or leaves no waves behind it.
 TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
   open(options_of(boat_text));
-  choose_new("boat");  // two steps
+  choose_new("boat");
   ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
   EXPECT_THAT(message(), HasSubstr("added boat"));
   const double start_s = state().clock.time_s();
   const auto pose_at = [&](double time_s) { return viewer_->sea().bodies()->pose(0, time_s); };
-  press("space");  // the third
+  press("space");
+  EXPECT_LE(steps(), 3);
   constexpr double sails_s = 4.0, longest_s = 120.0;
   const double end_s = glfwGetTime() + longest_s;
   while (state().clock.time_s() < start_s + sails_s || viewer_->sea().is_behind()) {

@@ -82,6 +82,7 @@ void WindowTest::turn(int count) {
 }
 
 void WindowTest::press(const char* key) {
+  ++steps_;
   // ImGui sees keys as frames find them.
   hands_->key(key, Hands::Motion::down);
   turn();
@@ -98,6 +99,7 @@ void WindowTest::press_with_control(const char* key) {
 }
 
 void WindowTest::click(Spot spot) {
+  ++steps_;
   hands_->move_to(spot.x, spot.y);
   turn();
   hands_->button(Hands::Button::left, Hands::Motion::down);
@@ -107,6 +109,7 @@ void WindowTest::click(Spot spot) {
 }
 
 void WindowTest::drag(Spot from, Spot to) {
+  ++steps_;
   hands_->move_to(from.x, from.y);
   turn();
   // Where frames are quick, a press where the last click chose from a list is a double click, which types.
@@ -127,6 +130,7 @@ WindowTest::Spot WindowTest::spot(glm::dvec2 px) {
 }
 
 void WindowTest::pull(glm::dvec2 from_px, glm::dvec2 to_px, int frames_held) {
+  ++steps_;
   hands_->move_to(spot(from_px).x, spot(from_px).y);
   turn();
   hands_->button(Hands::Button::left, Hands::Motion::down);
@@ -142,6 +146,7 @@ void WindowTest::pull(glm::dvec2 from_px, glm::dvec2 to_px, int frames_held) {
 }
 
 void WindowTest::type(const std::string& text) {
+  ++steps_;
   hands_->type(text);
   do turn();
   while (present::has_waiting_input());

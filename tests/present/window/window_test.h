@@ -37,6 +37,8 @@ class WindowTest : public testing::Test {
   /// Opens the window, paused, as large as the display allows.
   void open(const present::ViewOptions& options);
   void turn(int count = 1);
+  /// What a user has done so far: keys, alone or with others held, clicks, drags and words that were typed.
+  int steps() const { return steps_; }
   void press(const char* key);
   void press_with_control(const char* key);
   void click(Spot spot);
@@ -100,6 +102,7 @@ class WindowTest : public testing::Test {
   std::optional<Spot> spot_of(ImGuiWindow* window, unsigned id, int x_px);
 
   int last_y_ = 0;  // of the last item found
+  int steps_ = 0;
 };
 
 }  // namespace offing::test
