@@ -106,7 +106,9 @@ void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
                        const std::vector<std::optional<std::size_t>>& before) {
   std::shared_ptr<WorldBodies> made;
   if (ocean_ && !bodies.empty()) {
-    const BodiesBefore going_on{before.empty() ? nullptr : bodies_.get(), before};
+    // At time 0 a fresh world has bodies at their starts, after a run-up of their own.
+    const bool go_on = !before.empty() && time_s_ > 0.0;
+    const BodiesBefore going_on{go_on ? bodies_.get() : nullptr, before};
     made = std::make_shared<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_, going_on);
   }
   const bool has_other_wakes = made || bodies_;

@@ -158,8 +158,8 @@ class World {
   /// Puts other meshes in their place, made anew. Throws what WorldMesh throws.
   void set_meshes(const std::vector<MeshParameters>& meshes);
   /// Puts other bodies on the water, at their start at the time of the last at(); `before` has for each the
-  /// number of the body so far that it is, which goes on from where it is then, or none. Empty: none does.
-  /// Throws what WorldBodies throws.
+  /// number of the body so far that it is, which goes on from where it is then, or none. Empty, or at time 0:
+  /// none does. Throws what WorldBodies throws.
   void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
                   const std::vector<std::optional<std::size_t>>& before = {});
   /// The bodies with all that they remember, for keep_bodies(); none in a world without bodies.

@@ -215,6 +215,23 @@ TEST_F(WorldBodiesTest, GoOnWhileOthersBeginAnew) {
   EXPECT_NEAR(place_m(world, 1).x, 8.0, 1.0);
 }
 
+// Fails if bodies that are changed at time 0 keep the run-up that they had before: a view of that time is then
+// not that of the changed scene.
+TEST_F(WorldBodiesTest, BeginAnewAtTimeZero) {
+  WorldParameters changed = test::floating_world(4.0);
+  changed.bodies[1].drive = [](double, double) {
+    BodyDrive drive{};
+    drive.thrust_n = 500.0f;
+    return drive;
+  };
+  World world(device_, test::floating_world(4.0)), fresh(device_, changed);
+  world.at(0.0, 5.0);
+  world.set_bodies(changed.bodies, changed.run_up_s, {0, 1});
+  world.at(1.0, 5.0);
+  fresh.at(1.0, 5.0);
+  expect_same(world, fresh);
+}
+
 // Fails if bodies float on the open sea where the drawn one has come to a shoal: over a bed at the water's
 // level, in a storm, the box lies still, to the millimetre that its run-up leaves; without the bed it is
 // thrown about again.
