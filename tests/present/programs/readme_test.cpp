@@ -24,20 +24,20 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Commands of all blocks of a page, indented or between fences, but for blocks of CMake and `./dev ...`.
+/// Commands of all blocks of a page, indented or between fences of the language sh, but for `./dev ...`.
 std::vector<std::string> commands_of(const std::string& page) {
   std::vector<std::string> commands;
   std::istringstream lines(page);
-  bool is_fenced = false, is_cmake = false, goes_on = false;
+  bool is_fenced = false, is_shell = false, goes_on = false;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("```")) {
       is_fenced = !is_fenced;
-      is_cmake = is_fenced && line == "```cmake";
+      is_shell = line == "```sh";
       continue;
     }
     if (!is_fenced && !line.starts_with("    ")) continue;
     const std::size_t first = line.find_first_not_of(' ');
-    if (is_cmake || first == std::string::npos) continue;
+    if ((is_fenced && !is_shell) || first == std::string::npos) continue;
     line.erase(0, first);
     const bool continues = line.ends_with('\\');
     if (continues) line.pop_back();
@@ -72,7 +72,8 @@ bool opens_window(const std::string& command) {
 TEST(ReadmeTest, FindsEveryCommand) {
   EXPECT_THAT(
       commands_of("text\n\n    ./dev demo  # first\n    offing a \\\n        --b\n    # no\ntext `offing c`\n"
-                  "```sh\noffing d\n```\n```cmake\nfind_package(Offing)\n```\n\n    offing-view\n"),
+                  "```sh\noffing d\n```\n```cmake\nfind_package(Offing)\n```\n```python\nimport "
+                  "offing\n```\n\n    offing-view\n"),
       ElementsAre("offing a --b", "offing d", "offing-view"));
 }
 
