@@ -60,18 +60,16 @@ void draw_tools(CloudEditing& editing) {
   metres("step with Ctrl", editing.step_m, 1.0, 1e3);
 }
 
-/// A widget for each of some rows; what they change is written into a copy of the clouds first, which has the
-/// balls that a genus gives.
-Edit draw_values(ViewState& state, const CloudPart& part, scene::ParameterGroup group,
-                 std::initializer_list<std::string_view> keys) {
+/// A widget for each value of a ball; what they change is written into a copy of the clouds first, which has
+/// the balls that a genus gives.
+Edit draw_ball(ViewState& state, std::size_t cloud, std::size_t ball) {
   scene::Scene copy;
   scene::copy_clouds(state.scene, copy);
-  if (part.ball) own_balls(copy, part.cloud);
+  own_balls(copy, cloud);
   Edit edit = Edit::none;
   for (const scene::Parameter& row : scene::parameter_table()) {
-    const bool is_wanted = keys.size() == 0 || std::find(keys.begin(), keys.end(), row.key) != keys.end();
-    if (row.group == group && is_wanted)
-      edit = std::max(edit, parameter_widget(copy, row, state.edit, {part.cloud, part.ball.value_or(0)}));
+    if (row.group == scene::ParameterGroup::cloud_ball)
+      edit = std::max(edit, parameter_widget(copy, row, state.edit, {cloud, ball}));
   }
   if (edit == Edit::refused) state.message = {.text = state.edit.fault, .is_fault = true};
   if (edit != Edit::none) scene::copy_clouds(copy, state.scene);
@@ -85,10 +83,8 @@ Edit draw_picked_part(ViewState& state) {
   ImGui::Text("%zu picked; cloud %zu%s%s%s", state.clouds.picked.size(), part.cloud + 1,
               name.empty() ? "" : ", ", name.c_str(),
               part.ball ? fmt::format(", ball {}", *part.ball + 1).c_str() : "");
-  Edit edit = part.ball ? draw_values(state, part, scene::ParameterGroup::cloud_ball, {})
-                        : draw_values(state, part, scene::ParameterGroup::cloud,
-                                      {"cloud.name", "cloud.x_m", "cloud.y_m", "cloud.z_m", "cloud.scale",
-                                       "cloud.seed", "cloud.target_particles", "cloud.extinction_per_m"});
+  // Those of the cloud itself are below the list of objects.
+  Edit edit = part.ball ? draw_ball(state, part.cloud, *part.ball) : Edit::none;
   // Not before: what values change is another list of clouds.
   scene::CloudScene& cloud = state.scene.clouds[part.cloud];
   clouds::Genus genus = cloud.genus;

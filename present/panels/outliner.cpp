@@ -159,7 +159,11 @@ void draw_eye(ViewState& state, std::size_t mesh, PanelEdits& edits) {
   list.AddCircleFilled(middle, 0.15f * em, colour);
 }
 
-void draw_row(ViewState& state, const SceneObject& object, bool is_selected, PanelEdits& edits) {
+/// How a row is shown.
+enum class RowShow { plain, selected, newly_selected };
+
+void draw_row(ViewState& state, const SceneObject& object, RowShow show, PanelEdits& edits) {
+  const bool is_selected = show != RowShow::plain;
   const float em = ImGui::GetFontSize(), indent = (0.2f + depth_of(state.scene, object)) * em;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (state.renaming && state.renaming->object == object) return draw_name_field(state, edits);
@@ -169,6 +173,7 @@ void draw_row(ViewState& state, const SceneObject& object, bool is_selected, Pan
     if (!is_selected) select_object(state, object);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) open_row(state, object, edits);
   }
+  if (show == RowShow::newly_selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   // Names can hold what ImGui takes for the end of a label: they are text beside a row without one.
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = corner.y + 0.5f * ImGui::GetTextLineHeight();
@@ -193,11 +198,13 @@ void draw_list(ViewState& state, PanelEdits& edits) {
     // Where a list changes while one of its rows is open, the row is gone.
     ImGui::PushID(static_cast<int>(object.kind));
     ImGui::PushID(static_cast<int>(object.index));
-    draw_row(state, object, object == selected, edits);
+    const RowShow show = selected == state.listed ? RowShow::selected : RowShow::newly_selected;
+    draw_row(state, object, object == selected ? show : RowShow::plain, edits);
     ImGui::PopID();
     ImGui::PopID();
   }
   ImGui::EndChild();
+  state.listed = selected;
   if (state.renaming && !has_object(state.scene, state.renaming->object)) state.renaming.reset();
 }
 

@@ -118,9 +118,12 @@ class WindowObjectsTest : public WindowTest {
 
   Spot row(SceneObject object) { return find_in_row(object, "##object"); }
   Spot eye(SceneObject object) { return find_in_row(object, "##visible"); }
-  Spot find_in_row(SceneObject object, const std::string& item) {
+  static ImGuiWindow* list() {
     const unsigned list_id = main_panel()->GetID("objects");
-    ImGuiWindow* list = ImGui::FindWindowByName(fmt::format("Offing/objects_{:08X}", list_id).c_str());
+    return ImGui::FindWindowByName(fmt::format("Offing/objects_{:08X}", list_id).c_str());
+  }
+  Spot find_in_row(SceneObject object, const std::string& item) {
+    ImGuiWindow* list = WindowObjectsTest::list();
     if (list == nullptr) {
       ADD_FAILURE() << "there is no list";
       return {};
@@ -317,11 +320,14 @@ TEST_F(WindowObjectsTest, HandlesGrowWithTheScale) {
   EXPECT_NEAR(state().scene.meshes[1].position_m.x - place_m.x, 1.0, 0.1);
 }
 
-// Fails if a hand does not bring a light where it lets go.
+// Fails if a hand does not bring a light where it lets go, or the list does not scroll to what is selected in
+// the picture.
 TEST_F(WindowObjectsTest, HandlesMoveLights) {
   open_picture();
   show_lights();
+  EXPECT_EQ(list()->Scroll.y, 0.0f);
   click(spot_of(state().scene.lights[0].place_m));
+  EXPECT_GT(list()->Scroll.y, 0.0f);
   const glm::dvec3 place_m = state().scene.lights[0].place_m;
   const glm::dvec2 arrow_px = handle_px(ObjectHandle::y);
   pull(arrow_px, arrow_px + glm::dvec2(0.0, 40.0));
