@@ -75,6 +75,10 @@ bool is_video_name(const std::filesystem::path& file) {
   return is_mp4(file) || file.extension() == ".webm";
 }
 
+bool has_ffmpeg() {
+  return find_program(program).has_value();
+}
+
 void require_video(const std::filesystem::path& file) {
   require_extension(file, {".webm", ".mp4"});
   found_ffmpeg(file);

@@ -13,6 +13,8 @@ namespace offing::present {
 /// Whether a name is that of a video: it ends in .mp4 or .webm.
 bool is_video_name(const std::filesystem::path& file);
 
+/// Whether the program ffmpeg is there, which makes videos.
+bool has_ffmpeg();
 /// Throws, before any work is done, Error(bad_usage) for what is no name of a video, Error(file) where the
 /// program ffmpeg is not found.
 void require_video(const std::filesystem::path& file);

@@ -19,8 +19,10 @@ void RecordActions::open() {
     return;
   }
   const scene::TimeSection& time = state_.scene.time;
-  RecordingRequest request = last_.value_or(RecordingRequest{
-      .size = options_.size.value_or(ImageSize{}), .detail = options_.detail.value_or(Detail::high)});
+  RecordingRequest request =
+      last_.value_or(RecordingRequest{.format = has_ffmpeg() ? RecordFormat::mp4 : RecordFormat::png,
+                                      .size = options_.size.value_or(ImageSize{}),
+                                      .detail = options_.detail.value_or(Detail::high)});
   request.start_s = time.start_s;
   request.seconds = std::max(time.end_s - time.start_s, 1.0 / time.frames_per_second);
   request.frames_per_second = time.frames_per_second;
@@ -54,7 +56,9 @@ void RecordActions::begin() {
     options.recording = recording;
     options.transfer = options_.transfer;
     options.device = options_.device;
-    options.scene.set_at.clear();  // whose warnings the window has shown
+    // The window has shown their warnings. The camera is where the user sees from, not where the ground would
+    // place it.
+    options.scene.set_at = {{"camera.x_m", "the window"}};
     refuse_taken(recording);
     require_recording(recording, {scene::files_of(options.scene), options.scene.trust});
     job_ = std::make_unique<RecordingJob>(std::move(options));

@@ -88,7 +88,9 @@ void RecordDialog::draw_format() {
   if (!ImGui::BeginCombo("format", record_format_names[shown])) return;
   has_list_ = true;
   for (std::size_t i = 0; i < record_format_names.size(); ++i) {
-    if (ImGui::Selectable(record_format_names[i], i == shown)) request_.format = static_cast<RecordFormat>(i);
+    if (!ImGui::Selectable(record_format_names[i], i == shown)) continue;
+    request_.format = static_cast<RecordFormat>(i);
+    fault_.clear();
   }
   if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
@@ -115,6 +117,7 @@ void RecordDialog::draw_size(ImageSize window) {
 void RecordDialog::draw_range() {
   if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::InputDouble("seconds", &request_.seconds, 0.0, 0.0, "%.6g");
+  explain_item("from where the window sees now, or along the keyframes of the camera");
   ImGui::InputDouble("start, s", &request_.start_s, 0.0, 0.0, "%.6g");
   ImGui::InputDouble("frames/s", &request_.frames_per_second, 0.0, 0.0, "%.6g");
 }
@@ -153,7 +156,7 @@ bool RecordDialog::draw(ImageSize window) {
   draw_size(window);
   bool is_high = request_.detail == Detail::high;
   if (ImGui::Checkbox("high detail", &is_high)) request_.detail = is_high ? Detail::high : Detail::low;
-  explain_item("as --detail high of the command line; without: coarser, and faster where the CPU draws");
+  explain_item("all detail of water and ground; without: coarser, and faster where the CPU draws");
   draw_name();
   ImGui::PushStyleColor(ImGuiCol_Text, fault_colour());
   if (!fault_.empty()) ImGui::TextUnformatted(fault_.c_str());

@@ -123,6 +123,37 @@ TEST_F(WindowRecordTest, PicturesOfAnyRange) {
   EXPECT_EQ(files().size(), 8u);
 }
 
+// Fails if a recording of ground is seen from elsewhere than the window's picture: without a camera in its
+// file the scene has one that the ground places.
+TEST_F(WindowRecordTest, IsSeenFromWhereTheUserIs) {
+  present::ViewOptions options = two_frames_a_second();
+  options.scene.terrain.is_given = true;
+  open(options);
+  hands_->key("d", Hands::Motion::down);
+  turn(10);
+  hands_->key("d", Hands::Motion::up);
+  turn();
+  const glm::dvec3 eye_m = state().camera.camera().eye_m;
+  press_with_control("r");
+  turn(2);
+  type("0.5");
+  click(find(dialog(), "format", 60));
+  click(find(open_menu(), "pictures (.png)", 20));
+  click(find(dialog(), "record", 20));
+  wait_for_end();
+  const RgbImage recorded = read_png("offing_001_0000.png");
+  present::ViewOptions placed = two_frames_a_second();
+  placed.scene = state().scene;
+  placed.scene.set_at = {{"camera.x_m", "the test"}};
+  EXPECT_EQ(placed.scene.view.camera.eye_m, eye_m);
+  viewer_.reset();
+  placed.opens_window = false;
+  placed.recording = {
+      .name = FrameName("--record", "a_%d.png", "a_%d.png"), .frames = {0, 0}, .frames_per_second = 2.0};
+  present::make_images(placed, cancel_);
+  EXPECT_TRUE(recorded.rgb == read_png("a_0.png").rgb);
+}
+
 // Fails if a recording holds up the window, quitting ends it without a question, or a cancelled one leaves a
 // part of a video.
 TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
@@ -183,6 +214,8 @@ TEST_F(WindowRecordTest, NeedsFfmpegForVideos) {
   open(two_frames_a_second());
   press_with_control("r");
   turn(2);
+  click(find(dialog(), "format", 60));
+  click(find(open_menu(), "video (.mp4)", 20));  // not what the dialog proposes
   press("Return");
   turn(2);
   EXPECT_NE(dialog(), nullptr);
