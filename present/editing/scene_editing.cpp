@@ -47,6 +47,15 @@ bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& e
   return clouds_.holds() || highlights_.holds() || objects_.holds();
 }
 
+std::optional<Sphere> SceneEditing::selected_place(const Screen& screen) const {
+  const std::optional<Sphere> part =
+      held_sphere(state_, {state_.scene, sea_.clouds(), state_.clock.time_s()});
+  if (part) return part;
+  const std::optional<HeldPlace> place = held_place(state_, sea_, screen);
+  if (!place || place->aims) return {};
+  return place->sphere;
+}
+
 void SceneEditing::work(const std::function<Edit()>& change) {
   try {
     apply(change());

@@ -53,6 +53,8 @@ class SceneEditing {
   void next_cloud_pick();
   /// Takes the tool, or lays it down.
   void toggle_tool(CloudTool tool);
+  /// Where the selected object or part of a cloud is, and how large.
+  std::optional<Sphere> selected_place(const Screen& screen) const;
   /// Deletes and copies what is selected: of clouds what is picked, else the object. Copies go beside it, as
   /// the screen shows it.
   void remove_picked();

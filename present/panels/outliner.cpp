@@ -84,7 +84,7 @@ std::optional<NewObject> draw_menu(const scene::Scene& scene) {
   return chosen;
 }
 
-/// The last two do what their keys do: also where a part of the object is picked.
+/// All but the first do what their keys do: also where a part of the object is picked.
 void draw_buttons(ViewState& state, PanelEdits& edits) {
   const std::optional<SceneObject> selected = selected_object(state);
   if (ImGui::Button("add##objects")) ImGui::OpenPopup("new object");
@@ -100,6 +100,11 @@ void draw_buttons(ViewState& state, PanelEdits& edits) {
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected || !can_be_removed(state.scene, *selected));
   if (ImGui::Button("delete##objects")) edits.action = ViewAction::remove_picked;
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!selected);
+  if (ImGui::Button("look at##objects")) edits.action = ViewAction::look_at_selected;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("X");
   ImGui::EndDisabled();
 }
 

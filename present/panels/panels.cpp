@@ -166,12 +166,9 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
   }
 }
 
-/// The field to search in, and what it finds.
-void draw_search(ViewState& state, PanelEdits& edits) {
-  if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1.0f);
-  ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
-  if (state.search.empty()) return;
+/// Values that are found; false where there are none.
+template <class IsFound>
+bool draw_found(ViewState& state, PanelEdits& edits, const IsFound& is_found) {
   bool has_any = false;
   for (const GroupPanel& panel : group_panels()) {
     if (!is_in(state.scene, panel.group)) continue;
@@ -195,7 +192,16 @@ void draw_search(ViewState& state, PanelEdits& edits) {
       ImGui::PopID();
     }
   }
-  if (!has_any) ImGui::TextDisabled("no value has this name");
+  return has_any;
+}
+
+/// The field to search in, and what it finds: by names, else by what is said of values.
+void draw_search(ViewState& state, PanelEdits& edits) {
+  if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
+  if (state.search.empty() || draw_found(state, edits, is_found)) return;
+  if (!draw_found(state, edits, is_found_in_help)) ImGui::TextDisabled("nothing is found");
 }
 
 void draw_terrain_view(ViewState& state) {
@@ -286,6 +292,8 @@ void draw_file(PanelEdits& edits) {
   draw_action("redo", "Ctrl Y", ViewAction::redo, edits);
   ImGui::SameLine();
   edits.wants_original = ImGui::Button("undo all edits");
+  ImGui::SameLine();
+  draw_action("keys", "H", ViewAction::toggle_help, edits);
 }
 
 void draw_times(ViewState& state, const ViewFacts& facts) {
@@ -352,7 +360,7 @@ void draw_help(PanelLayout& layout) {
     };
     for (const CameraControl& control : camera_controls()) row(control.name, control.help);
     for (const KeyBinding& binding : key_bindings()) row(binding.name, binding.help);
-    row("Ctrl click", "on a slider: type its value");
+    row("Double click", "on a slider, or Ctrl click: type its value");
     ImGui::EndTable();
   }
   layout.end_right();

@@ -38,8 +38,19 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
   if (!is_logarithmic && high - low > long_range) {
     return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
   }
-  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
-                             is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  // ImGui lets a slider's value be typed after a click with Ctrl; here after a second click too, as
+  // elsewhere.
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 end(corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight());
+  bool& is_ctrl_held = ImGui::GetIO().KeyCtrl;
+  const bool was_ctrl_held = is_ctrl_held;
+  is_ctrl_held |=
+      ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && ImGui::IsMouseHoveringRect(corner, end);
+  const bool is_changed =
+      ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
+                          is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  is_ctrl_held = was_ctrl_held;
+  return is_changed;
 }
 
 // IEC 61966-2-1, continued above 1.

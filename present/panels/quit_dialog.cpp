@@ -41,7 +41,7 @@ void QuitDialog::draw(const std::optional<RecordingProgress>& recording) {
   }
   ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
   if (has_unsaved)
-    ImGui::TextUnformatted(fmt::format("Edits of {} are not saved.", fmt::join(unsaved_, ", ")).c_str());
+    ImGui::TextUnformatted(fmt::format("Unsaved edits: {}.", fmt::join(unsaved_, ", ")).c_str());
   if (recording) {
     ImGui::Text("A recording runs: %d of %d frames. Quitting ends it.", recording->written, recording->count);
   }

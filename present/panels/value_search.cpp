@@ -18,16 +18,27 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-}  // namespace
-
-bool is_found(std::string_view wanted, std::string_view panel, const scene::Parameter& row) {
-  const std::string text = lower_case(fmt::format("{} {} {}", panel, words_of(row), row.key));
+bool has_words(const std::string& text, std::string_view wanted) {
   std::istringstream words(lower_case(std::string(wanted)));
   bool has_any = false;
   for (std::string word; words >> word; has_any = true) {
     if (text.find(word) == std::string::npos) return false;
   }
   return has_any;
+}
+
+std::string name_text(std::string_view panel, const scene::Parameter& row) {
+  return lower_case(fmt::format("{} {} {}", panel, words_of(row), row.key));
+}
+
+}  // namespace
+
+bool is_found(std::string_view wanted, std::string_view panel, const scene::Parameter& row) {
+  return has_words(name_text(panel, row), wanted);
+}
+
+bool is_found_in_help(std::string_view wanted, std::string_view panel, const scene::Parameter& row) {
+  return has_words(name_text(panel, row) + ' ' + lower_case(std::string(row.help)), wanted);
 }
 
 }  // namespace offing::present

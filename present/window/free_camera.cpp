@@ -56,6 +56,20 @@ void FreeCamera::advance(const CameraInput& input, double seconds, const Surface
   rise_above(surface_m(eye_m.x, eye_m.z));
 }
 
+void FreeCamera::look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m) {
+  constexpr double least_radius_m = 0.5, room = 1.5;
+  const glm::dvec2 extent = half_extent(camera_);
+  const double sine = std::sin(std::atan(std::min(extent.x, extent.y)));
+  glm::dvec3& eye_m = camera_.eye_m;
+  eye_m = middle_m - room * std::max(radius_m, least_radius_m) / sine * basis(camera_).forward;
+  eye_m.x = within_range("camera.x_m", eye_m.x);
+  eye_m.z = within_range("camera.z_m", eye_m.z);
+  rise_above(surface_m(eye_m.x, eye_m.z));
+  const glm::dvec3 ahead = glm::normalize(middle_m - eye_m);
+  camera_.yaw_rad = std::atan2(ahead.x, -ahead.z);
+  camera_.pitch_rad = std::asin(ahead.y);
+}
+
 void FreeCamera::reset() {
   place(start_);
   speed_mps_ = start_speed_mps;

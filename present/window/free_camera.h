@@ -11,10 +11,10 @@ namespace offing::present {
 
 /// What keys and mouse ask of a camera during one frame.
 struct CameraInput {
-  glm::dvec3 move{0.0};     ///< -1 ... 1 along the eye's right, the world's up and the eye's forward
+  glm::dvec3 move{0.0};  ///< -1 ... 1 along the eye's right, the world's up and the eye's forward
   /// How far the mouse moved with its button down, right and down, in heights of the window.
   glm::dvec2 turn{0.0};
-  double wheel = 0.0;       ///< notches away from the user: faster
+  double wheel = 0.0;  ///< notches away from the user: faster
   bool is_fast = false;
   bool is_slow = false;
 
@@ -35,6 +35,8 @@ class FreeCamera {
   void advance(const CameraInput& input, double seconds, const SurfaceHeight& surface_m);
   /// Turns by what was asked for, without moving.
   void look(const CameraInput& input);
+  /// To where it sees a whole ball from the side that it was on, not through water or ground.
+  void look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m);
   /// Up out of a surface of this height, if it is in it.
   void rise_above(double surface_m);
   /// Back to where it began.

@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 46> bindings{{
+  static constexpr std::array<KeyBinding, 47> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "play, or pause"},
@@ -48,6 +48,7 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_Y, "Ctrl Y", redo, "redo it", GLFW_MOD_CONTROL},
+      {GLFW_KEY_X, "X", look_at_selected, "look at what is selected, all of it"},
       {GLFW_KEY_0, "0", reset_camera, "back to the camera of the scene"},
       {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "go to that bookmark of the scene", 0, 9},
       {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "set that bookmark, or a new one, to this view",

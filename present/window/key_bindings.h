@@ -32,6 +32,7 @@ enum class ViewAction {
   reload,
   toggle_fullscreen,
   reset_camera,
+  look_at_selected,
   set_keyframes,
   next_cloud_pick,
   place_ball,

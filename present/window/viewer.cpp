@@ -35,6 +35,9 @@ namespace {
 // Where the CPU draws, more pixels than these make frames too slow; the window shows them enlarged.
 constexpr double software_pixels = 640.0 * 360.0;
 
+// Panels are drawn for so long after something that they may tell of.
+constexpr double panels_follow_s = 1.0;
+
 std::string whole_name(const std::filesystem::path& path) {
   std::error_code failure;
   const std::filesystem::path whole = std::filesystem::absolute(path, failure);
@@ -135,7 +138,7 @@ bool Viewer::is_at_rest() const {
 
 /// Waits for input where nothing is left to draw.
 void Viewer::take_events() {
-  constexpr double longest_wait_s = 0.25, panels_follow_s = 1.0;
+  constexpr double longest_wait_s = 0.25;
   if (is_at_rest()) {
     control_.rest();
     glfwWaitEventsTimeout(longest_wait_s);
@@ -164,7 +167,9 @@ bool Viewer::turn() {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);
   }
+  const bool was_recording = record_.is_recording();
   record_.turn();
+  if (was_recording && !record_.is_recording()) panels_follow_s_ = now_s + panels_follow_s;
   editing_.take_clouds();
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
@@ -216,6 +221,9 @@ void Viewer::act(KeyPress press) {
       break;
     case ViewAction::reset_camera:
       reset_camera();
+      break;
+    case ViewAction::look_at_selected:
+      look_at_selected();
       break;
     case ViewAction::undo:
     case ViewAction::redo:
@@ -345,6 +353,18 @@ void Viewer::reset_camera() {
   state_.camera.reset();
   is_on_path_ = has_camera_path(path_);
   take_camera_path(path_, state_.scene);
+}
+
+void Viewer::look_at_selected() {
+  const std::optional<Sphere> place = editing_.selected_place(screen());
+  if (!place) {
+    state_.message = {.text = "nothing is selected that has a place"};
+    return;
+  }
+  leave_path();
+  state_.scene.view.mode = scene::CameraMode::fly;
+  state_.camera.look_at(place->centre_m, place->radius_m,
+                        [this](double x_m, double z_m) { return sea_.surface_height_m(x_m, z_m); });
 }
 
 /// Panels are drawn for a while after the last input: tooltips come late.

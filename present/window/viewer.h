@@ -93,6 +93,7 @@ class Viewer {
   void begin_path();
   void pick_ray();
   void reset_camera();
+  void look_at_selected();
   void take_screenshot();
   double most_frames_hz() const;
   LiveSeaSettings sea_settings();

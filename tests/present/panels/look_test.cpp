@@ -66,6 +66,8 @@ TEST(ValueSearchTest, FindsByAllWords) {
   EXPECT_TRUE(is_found("wind.speed_mps", "Wind", speed));
   EXPECT_FALSE(is_found("wind speed direction", "Wind", speed));
   EXPECT_FALSE(is_found("  ", "Wind", speed));
+  EXPECT_FALSE(is_found("everything", "Wind", speed));
+  EXPECT_TRUE(is_found_in_help("everything", "Wind", speed));
 }
 
 // Fails if words that a newcomer looks for find nothing.

@@ -56,6 +56,21 @@ TEST(FreeCameraTest, StaysAboveTheWater) {
   EXPECT_NO_THROW(require_valid(camera.camera()));
 }
 
+// Fails if a ball is not whole and in the middle of the picture, or the eye gets under the ground.
+TEST(FreeCameraTest, LooksAtAll) {
+  FreeCamera camera(start());
+  const glm::dvec3 middle_m(300.0, 40.0, -90.0);
+  for (const double ground_m : {0.0, 55.0}) {
+    camera.look_at(middle_m, 12.0, [&](double, double) { return ground_m; });
+    const Camera& now = camera.camera();
+    const glm::dvec3 way_m = middle_m - now.eye_m;
+    EXPECT_NEAR(glm::dot(glm::normalize(way_m), basis(now).forward), 1.0, 1e-12);
+    EXPECT_LT(12.0, glm::length(way_m) * std::sin(0.5 * now.vertical_field_of_view_rad));
+    EXPECT_LT(glm::length(way_m), 100.0);
+    EXPECT_GT(now.eye_m.y, ground_m);
+  }
+}
+
 // Fails if a camera that nobody moves is not where its scene has it, as in pictures without a window.
 TEST(FreeCameraTest, StaysWhereItIs) {
   Camera low = start();

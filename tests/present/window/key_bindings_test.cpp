@@ -47,7 +47,7 @@ TEST(KeyBindingsTest, AreFoundByKeyAndModifiers) {
   expect(GLFW_KEY_0, 0, ViewAction::reset_camera, 1);
   EXPECT_FALSE(press_of(GLFW_KEY_H, GLFW_MOD_CONTROL));
   EXPECT_FALSE(press_of(GLFW_KEY_Z, 0));
-  EXPECT_FALSE(press_of(GLFW_KEY_X, 0));
+  EXPECT_FALSE(press_of(GLFW_KEY_U, 0));
 }
 
 // Fails if the page of the window lacks a key.

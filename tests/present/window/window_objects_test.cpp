@@ -172,6 +172,38 @@ TEST_F(WindowObjectsTest, TheListSelectsCopiesAndDeletes) {
   EXPECT_EQ(message(), "there is nothing to undo");
 }
 
+// Fails if what is selected is not in the middle of the picture, or what has no place moves the camera.
+TEST_F(WindowObjectsTest, TheCameraLooksAtWhatIsSelected) {
+  open(options_of(objects_text));
+  click(row({ObjectKind::sky, 0}));
+  const Camera before = state().camera.camera();
+  press("x");
+  EXPECT_EQ(message(), "nothing is selected that has a place");
+  EXPECT_EQ(state().camera.camera().eye_m, before.eye_m);
+  click(row({ObjectKind::mesh, 1}));
+  click(find(main_panel(), "look at##objects", 230));
+  const Camera& now = state().camera.camera();
+  const glm::dvec3 way_m = state().scene.meshes[1].position_m - now.eye_m;
+  EXPECT_NEAR(glm::dot(glm::normalize(way_m), basis(now).forward), 1.0, 1e-4);
+  EXPECT_LT(glm::length(way_m), 5.0);
+}
+
+// Fails if a double click on a slider does not let its value be typed.
+TEST_F(WindowObjectsTest, DoubleClicksTypeValues) {
+  open(options_of(objects_text));
+  ImGui::GetIO().MouseDoubleClickTime = 60.0f;
+  click(row({ObjectKind::mesh, 1}));
+  const unsigned block = main_panel()->GetID("properties");
+  const std::string size = present::parameter_label(*scene::find_parameter("mesh.size_m"));
+  const Spot slider = find_item(main_panel(), size, ImHashStr(size.c_str(), 0, block), 70);
+  click(slider);
+  click(slider);
+  type("0.72");
+  press("Return");
+  turn(2);
+  EXPECT_EQ(state().scene.meshes[1].size_m, 0.72);
+}
+
 // Fails if the values below the list are not those of what is selected, or the others come with them.
 TEST_F(WindowObjectsTest, ValuesAreOfTheSelection) {
   open(options_of(objects_text));
