@@ -118,6 +118,10 @@ class WindowScreensTest : public WindowTest, public testing::WithParamInterface<
     ImGuiWindow* list = ImGui::FindWindowByName(fmt::format("Offing/objects_{:08X}", list_id).c_str());
     ASSERT_NE(list, nullptr);
     const float row_px = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+    // A second click at the same place would rename.
+    while (ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] <
+           double{ImGui::GetIO().MouseDoubleClickTime})
+      turn();
     ImGui::SetScrollY(main_panel(), 0.0f);
     ImGui::SetScrollY(list, std::max(0.0f, (number - 1.0f) * row_px));
     turn(3);
@@ -249,6 +253,9 @@ TEST_P(WindowScreensTest, OfEachDialog) {
   press("Escape");
   press_with_control("r");
   expect_readable("record");
+  press("Escape");
+  click(find(main_panel(), "add##objects", 20));
+  expect_readable("new objects");
   press("Escape");
   select({ObjectKind::sea, 0});
   press_with_control("1");
