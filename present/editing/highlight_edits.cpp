@@ -74,7 +74,7 @@ ElementIndex controls_of(Scene& scene, const HighlightName& name,
   std::vector<scene::HighlightScene>& all = scene.meshes[name.mesh].highlights;
   if (highlight.rule >= 0) return {name.mesh, static_cast<std::size_t>(highlight.rule)};
   scene::HighlightScene own;
-  own.rule.nearest_m = highlight.found.centre_m;
+  own.rule.nearest_m = highlight.found_at_rest_m;
   own.light = name_of_light(scene, highlight.light);
   own.rule.controls = highlight.controls;
   all.push_back(std::move(own));

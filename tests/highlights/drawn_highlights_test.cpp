@@ -247,6 +247,35 @@ TEST_F(DrawnHighlightsTest, PinsStandWhereverTheLightIs) {
   EXPECT_EQ(drawn.opacity, 1.0);
 }
 
+// A mesh whose vertices all move until its second highlight is where the first one was. Fails if a pin, a
+// mask or a rule for the nearest stays behind, or if a pin depends on the form that was drawn first.
+TEST_F(DrawnHighlightsTest, PlacesRideOnSurfacesThatDeform) {
+  HighlightSurface shape = surface(test::ellipsoid(5, {1.0, 0.6, 0.8}));
+  Scene scene(shape, [](double) { return lighting(0.0); });
+  HighlightRule pin, nearest = rule_of({.scale = 2.0});
+  const std::vector<DrawnHighlight> plain = scene.under({});
+  ASSERT_EQ(plain.size(), 2u);
+  const glm::dvec3 first_m = plain[0].found.centre_m, way_m = first_m - plain[1].found.centre_m;
+  pin.pin_m = nearest.nearest_m = nearest.mask_m = first_m;
+  nearest.mask_radius_m = 0.2;
+  const std::vector<HighlightRule> rules{nearest, pin};
+  const std::vector<DrawnHighlight> before = scene.under(rules);
+  std::vector<glm::dvec3> positions_m = shape.mesh().positions_m;
+  for (glm::dvec3& position_m : positions_m) position_m += way_m;
+  shape.deform(positions_m, shape.mesh().normals, shape.curvatures());
+  Scene late(shape, [](double) { return lighting(0.0); });
+  for (Scene* each : {&scene, &late}) {
+    const std::vector<DrawnHighlight> drawn = each->under(rules, 0.1);
+    ASSERT_EQ(drawn.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(drawn[i].rule, before[i].rule) << i;
+      EXPECT_EQ(drawn[i].face_count, before[i].face_count) << i;
+      EXPECT_LE(glm::distance(drawn[i].projector.centre_m, before[i].projector.centre_m + way_m), 1e-5) << i;
+    }
+    EXPECT_LE(glm::distance(drawn[0].found_at_rest_m, first_m), 1e-5);
+  }
+}
+
 // Of two lights' highlights the rule reaches its own; rules for lights that are not there, and pins in their
 // light, do nothing, and nothing breaks.
 TEST_F(DrawnHighlightsTest, RulesOfALightAreForItsHighlightsOnly) {

@@ -88,6 +88,7 @@ TEST_F(TrackStepTest, TheHighlightGoesOverToAnotherPoint) {
 // A distance that wavers about the one at which two unite. Fails if the second one blinks: it has to come
 // much nearer to vanish than to go to be back.
 TEST_F(TrackStepTest, UnitingAndPartingNeedDifferentDistances) {
+  options_.unite_share = options_.part_share = 0.0;
   const double unite_m = 0.5 * 0.6 * options_.unite_depth;  // half of the width, 2 * 0.6 / 2.0, is depth 1
   TrackState state = first_state(shape_, {point_at(0.0, 0.0), point_at(1.0, 0.0)}, options_);
   const auto opacity_at = [&](double apart_m) {
@@ -145,12 +146,12 @@ TEST_F(TrackStepTest, ShadowsFadeHighlightsWithinTheLimits) {
   }
   EXPECT_NEAR(last, 0.8, 1e-12);
   // Just below, it stays as it is; hidden, it stays hidden.
-  lit = 0.7;
+  lit = 0.3;
   for (int step = 0; step < 30; ++step) advance(shape_, points, options_, state, lit_share);
-  EXPECT_NEAR(state.tracks[0].opacity, 0.7, 1e-12);
-  lit = 0.4;
+  EXPECT_NEAR(state.tracks[0].opacity, 0.3, 1e-12);
+  lit = 0.1;
   for (int step = 0; step < 30; ++step) advance(shape_, points, options_, state, lit_share);
-  lit = 0.7;
+  lit = 0.3;
   for (int step = 0; step < 30; ++step) advance(shape_, points, options_, state, lit_share);
   EXPECT_EQ(state.tracks[0].opacity, 0.0);
   // One that begins in the dark is not shown.

@@ -46,9 +46,10 @@ HighlightPoint pinned_point(const HighlightSurface& surface, const SurfacePlace&
 }
 
 /// [tracks] How much of each a rule for the nearest is for: as the state has it, or as it is now.
-std::vector<double> shares_of(const NearestPlace& place, const TrackState& state, double diagonal_m) {
+std::vector<double> shares_of(const HighlightSurface& surface, const NearestPlace& place,
+                              const TrackState& state) {
   const auto known = std::find(state.places.begin(), state.places.end(), place);
-  if (known == state.places.end()) return shares_nearest(place, state.tracks, diagonal_m);
+  if (known == state.places.end()) return shares_nearest(surface, on_surface(surface, place), state.tracks);
   const auto index = static_cast<std::size_t>(known - state.places.begin());
   std::vector<double> shares;
   for (const HighlightTrack& track : state.tracks) shares.push_back(track.nearest[index]);
@@ -69,11 +70,13 @@ void HighlightDrawing::update(const TrackState& state, const std::vector<Highlig
   for (const HighlightRule& rule : rules) require_valid(rule);
   highlights_.clear();
   faces_.clear();
+  pins_.resize(rules.size());
+  masks_.resize(rules.size());
   nearest_.clear();
   for (const HighlightRule& rule : rules) {
     nearest_.emplace_back();
     if (rule.nearest_m && !rule.pin_m)
-      nearest_.back() = shares_of({*rule.nearest_m, rule.light}, state, surface_->diagonal_m());
+      nearest_.back() = shares_of(*surface_, {*rule.nearest_m, rule.light}, state);
   }
   for (std::size_t i = 0; i < state.tracks.size(); ++i) {
     const HighlightTrack& track = state.tracks[i];
@@ -91,7 +94,6 @@ void HighlightDrawing::update(const TrackState& state, const std::vector<Highlig
           rule);
     }
   }
-  pins_.resize(rules.size());
   for (std::size_t i = 0; i < rules.size(); ++i) {
     const int light = rules[i].light.value_or(0);
     if (rules[i].pin_m && light >= 0 && light < light_count) add_pin(rules[i], static_cast<int>(i));
@@ -111,15 +113,21 @@ void HighlightDrawing::set_looks(const HighlightTrack& track, std::size_t index,
   }
 }
 
+const SurfacePlace& HighlightDrawing::nearest_to(const glm::dvec3& point_m, int rule,
+                                                 RulePlaces& known) const {
+  std::optional<RulePlace>& place = known[static_cast<std::size_t>(rule)];
+  if (!place || place->point_m != point_m) place = RulePlace{point_m, nearest_place(*surface_, point_m)};
+  return place->nearest;
+}
+
 void HighlightDrawing::add_pin(const HighlightRule& rule, int index) {
-  std::optional<Pin>& pin = pins_[static_cast<std::size_t>(index)];
-  if (!pin || pin->pin_m != *rule.pin_m) pin = Pin{*rule.pin_m, nearest_place(*surface_, *rule.pin_m)};
+  const SurfacePlace& place = nearest_to(*rule.pin_m, index, pins_);
   add({.id = first_pin_id + static_cast<std::uint64_t>(index),
        .rule = index,
        .light = rule.light.value_or(0),
        .opacity = 1.0,
-       .projector = first_projector(*surface_, pinned_point(*surface_, pin->place), size_),
-       .place = pin->place,
+       .projector = first_projector(*surface_, pinned_point(*surface_, place), size_),
+       .place = place,
        .controls = rule.controls},
       rule);
 }
@@ -135,6 +143,7 @@ void HighlightDrawing::add(const DrawnHighlight& highlight, const HighlightRule&
       moved(*surface_, {highlight.projector, highlight.place}, controls.offset * half_widths_m);
   placed.projector = reshaped(placed.projector, controls);
   drawn.found = highlight.projector;
+  drawn.found_at_rest_m = at_rest(*surface_, highlight.place, highlight.projector.centre_m);
   drawn.whole = placed.projector;
   for (drawn.copy = 0; drawn.copy < controls.split; ++drawn.copy) {
     const CopyPlace share = copy_place(controls, drawn.copy);
@@ -149,19 +158,20 @@ void HighlightDrawing::add(const DrawnHighlight& highlight, const HighlightRule&
 void HighlightDrawing::add_copy(const DrawnHighlight& highlight, const HighlightRule& rule) {
   const std::size_t first = faces_.size();
   regions_.find(highlight.projector, highlight.place.face, faces_);
-  keep_masked(rule, first);
+  keep_masked(rule, highlight.rule, first);
   highlights_.push_back(highlight);
   highlights_.back().first_face = first;
   highlights_.back().face_count = faces_.size() - first;
 }
 
-void HighlightDrawing::keep_masked(const HighlightRule& rule, std::size_t first_face) {
+void HighlightDrawing::keep_masked(const HighlightRule& rule, int index, std::size_t first_face) {
   if (!rule.mask_m) return;
   const TriangleMesh& mesh = surface_->mesh();
+  const glm::dvec3 mask_m = carried(*surface_, nearest_to(*rule.mask_m, index, masks_), *rule.mask_m);
   const auto is_beyond = [&](std::uint32_t face) {
     const TriangleIndices& corners = mesh.faces[face];
     return std::none_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-      return glm::distance(mesh.positions_m[corner], *rule.mask_m) <= rule.mask_radius_m;
+      return glm::distance(mesh.positions_m[corner], mask_m) <= rule.mask_radius_m;
     });
   };
   const auto first = faces_.begin() + static_cast<std::ptrdiff_t>(first_face);

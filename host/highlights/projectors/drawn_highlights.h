@@ -25,6 +25,8 @@ struct DrawnHighlight {
   Projector projector;   ///< in all: offset, rotation, sizes and split are in it
   SurfacePlace place;    ///< under its middle
   Projector found = {};  ///< before any control
+  /// Where its middle is on the surface at rest: what a rule for this highlight names.
+  glm::dvec3 found_at_rest_m{0.0};
   Projector whole = {};  ///< before it was split
   HighlightControls controls;
   std::size_t first_face = 0, face_count = 0;  ///< of HighlightDrawing::faces()
@@ -60,16 +62,19 @@ class HighlightDrawing {
     int rule;
     double weight;
   };
-  struct Pin {
-    glm::dvec3 pin_m;
-    SurfacePlace place;
+  /// A point of a rule on the surface at rest, and the place nearest to it, with which it goes along.
+  struct RulePlace {
+    glm::dvec3 point_m;
+    SurfacePlace nearest;
   };
+  using RulePlaces = std::vector<std::optional<RulePlace>>;  // [rules], as looked up last
 
   void set_looks(const HighlightTrack& track, std::size_t index, const std::vector<HighlightRule>& rules);
   void add(const DrawnHighlight& highlight, const HighlightRule& rule);
   void add_copy(const DrawnHighlight& highlight, const HighlightRule& rule);
   void add_pin(const HighlightRule& rule, int index);
-  void keep_masked(const HighlightRule& rule, std::size_t first_face);
+  void keep_masked(const HighlightRule& rule, int index, std::size_t first_face);
+  const SurfacePlace& nearest_to(const glm::dvec3& point_m, int rule, RulePlaces& known) const;
 
   const HighlightSurface* surface_;
   HighlightSize size_;
@@ -78,7 +83,7 @@ class HighlightDrawing {
   std::vector<std::uint32_t> faces_;
   std::vector<Look> looks_;
   std::vector<std::vector<double>> nearest_;  // [rules][tracks], of rules for the nearest
-  std::vector<std::optional<Pin>> pins_;      // [rules], as looked up last
+  RulePlaces pins_, masks_;
 };
 
 }  // namespace offing::highlights

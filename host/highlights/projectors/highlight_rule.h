@@ -40,6 +40,7 @@ struct HighlightControls {
 };
 
 /// Controls with the highlights of a mesh that they are for. Of several rules that fit, the last one counts.
+/// Places are those of the mesh at rest: where that deforms, they go along with what is nearest to them.
 struct HighlightRule {
   /// Only the highlight nearest to this place of the mesh. Where another comes as near (2 % of the diagonal),
   /// the rule goes over to it by degrees, and where it appears or ends there, as fast as highlights fade.

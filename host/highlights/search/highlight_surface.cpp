@@ -224,6 +224,7 @@ void HighlightSurface::deform(std::vector<glm::dvec3> positions_m, std::vector<g
                               VertexCurvatures curvatures) {
   TriangleMesh moved{.positions_m = std::move(positions_m), .normals = std::move(normals), .faces = {}};
   require_vertices(moved, curvatures, mesh_.positions_m.size());
+  if (at_rest_m_.empty()) at_rest_m_ = std::move(mesh_.positions_m);
   mesh_.positions_m = std::move(moved.positions_m);
   mesh_.normals = std::move(moved.normals);
   curvatures_ = std::move(curvatures);

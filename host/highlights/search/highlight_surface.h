@@ -58,6 +58,10 @@ class HighlightSurface {
               VertexCurvatures curvatures);
 
   const TriangleMesh& mesh() const { return mesh_; }  ///< normals as they are used
+  /// Where the vertices were before they were deformed.
+  const std::vector<glm::dvec3>& positions_at_rest_m() const {
+    return at_rest_m_.empty() ? mesh_.positions_m : at_rest_m_;
+  }
   const VertexCurvatures& curvatures() const { return curvatures_; }
   std::uint64_t revision() const { return revision_; }  ///< how often it was deformed
   const VertexLinks& links() const { return links_; }
@@ -84,6 +88,7 @@ class HighlightSurface {
   int smoothing_rounds_;
   std::uint64_t revision_ = 0;
   TriangleMesh mesh_;
+  std::vector<glm::dvec3> at_rest_m_;  // none: it was never deformed
   VertexCurvatures curvatures_;
   std::vector<glm::dvec3> face_normals_;
   glm::dvec3 middle_m_{0.0};

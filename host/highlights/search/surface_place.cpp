@@ -9,6 +9,18 @@
 #include "host/highlights/search/triangle_point.h"
 
 namespace offing::highlights {
+namespace {
+
+glm::dvec3 way_from_rest(const HighlightSurface& surface, const SurfacePlace& place) {
+  if (surface.revision() == 0) return glm::dvec3(0.0);
+  const std::vector<glm::dvec3>& at_rest_m = surface.positions_at_rest_m();
+  const auto& [a, b, c] = surface.mesh().faces[place.face];
+  return position_at(surface, place) -
+         (place.weights.x * at_rest_m[a] + place.weights.y * at_rest_m[b] + place.weights.z * at_rest_m[c]);
+}
+
+}  // namespace
+
 glm::dvec3 position_at(const HighlightSurface& surface, const SurfacePlace& place) {
   return place_on(surface, place.face, place.weights);
 }
@@ -31,21 +43,30 @@ SurfacePlace place_of_face_near(const HighlightSurface& surface, std::uint32_t f
 }
 
 SurfacePlace nearest_place(const HighlightSurface& surface, const glm::dvec3& point_m) {
-  const TriangleMesh& mesh = surface.mesh();
-  if (mesh.faces.empty())
+  const std::vector<TriangleIndices>& faces = surface.mesh().faces;
+  const std::vector<glm::dvec3>& at_rest_m = surface.positions_at_rest_m();
+  if (faces.empty())
     throw Error(ErrorKind::bad_input, "highlights: expected a mesh with faces, found none",
                 "pin highlights on meshes with faces only");
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    const TriangleIndices& corners = mesh.faces[face];
-    const double found = squared_distance(point_m, mesh.positions_m[corners[0]], mesh.positions_m[corners[1]],
-                                          mesh.positions_m[corners[2]]);
+  for (std::uint32_t face = 0; face < faces.size(); ++face) {
+    const auto& [a, b, c] = faces[face];
+    const double found = squared_distance(point_m, at_rest_m[a], at_rest_m[b], at_rest_m[c]);
     if (found >= least) continue;
     least = found;
     nearest = face;
   }
-  return place_of_face_near(surface, nearest, point_m);
+  const auto& [a, b, c] = faces[nearest];
+  return {nearest, nearest_weights(point_m, at_rest_m[a], at_rest_m[b], at_rest_m[c])};
+}
+
+glm::dvec3 carried(const HighlightSurface& surface, const SurfacePlace& nearest, const glm::dvec3& point_m) {
+  return point_m + way_from_rest(surface, nearest);
+}
+
+glm::dvec3 at_rest(const HighlightSurface& surface, const SurfacePlace& nearest, const glm::dvec3& point_m) {
+  return point_m - way_from_rest(surface, nearest);
 }
 
 }  // namespace offing::highlights

@@ -27,9 +27,14 @@ glm::dvec3 normal_at(const HighlightSurface& surface, const SurfacePlace& place)
 SurfacePlace place_of_face_near(const HighlightSurface& surface, std::uint32_t face,
                                 const glm::dvec3& point_m);
 
-/// The place of the whole surface nearest to a point, on the first of faces that are equally near. Looks at
-/// every face: for what an artist sets, not for each frame. Throws Error(bad_input) for a surface without
-/// faces.
+/// The place of the whole surface at rest nearest to a point, on the first of faces that are equally near.
+/// Looks at every face: for what an artist sets, not for each frame. Throws Error(bad_input) for a surface
+/// without faces.
 SurfacePlace nearest_place(const HighlightSurface& surface, const glm::dvec3& point_m);
+
+/// Where a point is that goes with its nearest place, as the surface deforms.
+glm::dvec3 carried(const HighlightSurface& surface, const SurfacePlace& nearest, const glm::dvec3& point_m);
+/// The other way: of a point near a place, where it is on the surface at rest.
+glm::dvec3 at_rest(const HighlightSurface& surface, const SurfacePlace& nearest, const glm::dvec3& point_m);
 
 }  // namespace offing::highlights

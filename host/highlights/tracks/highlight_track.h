@@ -6,6 +6,7 @@
 
 #include "host/highlights/projectors/projector.h"
 #include "host/highlights/search/highlight_points.h"
+#include "host/highlights/search/surface_place.h"
 
 namespace offing::highlights {
 
@@ -32,12 +33,12 @@ struct TrackOptions {
   /// Highlights of one light are one to the eye while the middle of one is this deep in another's box (0 in
   /// the middle, 1 at the rim), or nearer than a share of the diagonal. They are two from the larger values
   /// on.
-  double unite_depth = 2.0, part_depth = 2.6;
-  double unite_share = 0.14, part_share = 0.2;
+  double unite_depth = 1.5, part_depth = 2.2;
+  double unite_share = 0.16, part_share = 0.22;
   /// A point must have been there for this long before it becomes visible.
   double settle_s = 0.1;
   /// One is hidden where its light reaches less of it than the first share, until it reaches the second.
-  double dark_share = 0.6, lit_share = 0.8;
+  double dark_share = 0.2, lit_share = 0.4;
   /// One that has become visible stays for this long, and as long as it takes to fade out, even if its point
   /// is gone.
   double least_life_s = 0.25;
@@ -50,10 +51,14 @@ void require_valid(const TrackOptions& options);
 
 /// A place of the mesh, for whose nearest highlight a rule is; with a light, of those of this light.
 struct NearestPlace {
-  glm::dvec3 place_m{0.0};
+  glm::dvec3 place_m{0.0};  ///< of the surface at rest
   std::optional<int> light = {};
+  /// Nearest to it on the surface at rest: it goes along as that deforms. Follows from the place.
+  SurfacePlace nearest = {};
 
-  bool operator==(const NearestPlace&) const = default;
+  bool operator==(const NearestPlace& other) const {
+    return place_m == other.place_m && light == other.light;
+  }
 };
 
 /// One highlight through time.

@@ -90,7 +90,7 @@ void HighlightTracker::reset(double start_s, KeyStates keys) {
   next_.reset();
   state_ = first_state(*surface_, search_.find(*surface_, lit_by_), options_,
                        [this](const HighlightTrack& track) { return lit_share(track); });
-  take_places(places_, surface_->diagonal_m(), state_);
+  take_places(*surface_, places_, state_);
   keys_.assign(1, state_);
   key_states_ = keys;
   key_spacing_ = options_.key_steps;
@@ -149,7 +149,7 @@ void HighlightTracker::step_on(TrackState& state) {
 void HighlightTracker::set_places(const std::vector<NearestPlace>& places) {
   places_ = places;
   if (places != state_.places) next_.reset();
-  take_places(places_, surface_->diagonal_m(), state_);
+  take_places(*surface_, places_, state_);
 }
 
 void HighlightTracker::restore(const TrackState& state) {
@@ -163,7 +163,7 @@ void HighlightTracker::go_back_to(const TrackState& state) {
   state_ = state;
   next_.reset();
   light_up(state_.step);  // a surface that it deforms must not stay as it was later
-  take_places(places_, surface_->diagonal_m(), state_);
+  take_places(*surface_, places_, state_);
 }
 
 void HighlightTracker::keep_if_key() {

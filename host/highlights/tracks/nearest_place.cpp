@@ -19,8 +19,8 @@ bool is_of_light(const NearestPlace& place, const HighlightTrack& track) {
 
 /// What is not there, or is part of an older one, is farther than what is, by degrees: else a place would go
 /// to what has just begun to appear. One in a shadow stays the nearest.
-double distance_to(const NearestPlace& place, const HighlightTrack& track, double diagonal_m) {
-  return glm::distance(place.place_m, track.projector.centre_m) +
+double distance_to(const glm::dvec3& place_m, const HighlightTrack& track, double diagonal_m) {
+  return glm::distance(place_m, track.projector.centre_m) +
          2.0 * diagonal_m * (1.0 - track.presence * track.share);
 }
 
@@ -45,13 +45,20 @@ std::vector<NearestPlace> nearest_places(const std::vector<HighlightRule>& rules
   return places;
 }
 
-std::vector<double> shares_nearest(const NearestPlace& place, const std::vector<HighlightTrack>& tracks,
-                                   double diagonal_m) {
+NearestPlace on_surface(const HighlightSurface& surface, NearestPlace place) {
+  if (!surface.mesh().faces.empty()) place.nearest = nearest_place(surface, place.place_m);
+  return place;
+}
+
+std::vector<double> shares_nearest(const HighlightSurface& surface, const NearestPlace& place,
+                                   const std::vector<HighlightTrack>& tracks) {
   constexpr double none_m = std::numeric_limits<double>::infinity();
+  const double diagonal_m = surface.diagonal_m();
+  const glm::dvec3 place_m = carried(surface, place.nearest, place.place_m);
   std::vector<double> distances_m;  // [tracks]
   double least_m = none_m, second_m = none_m;
   for (const HighlightTrack& track : tracks) {
-    const double distance_m = is_of_light(place, track) ? distance_to(place, track, diagonal_m) : none_m;
+    const double distance_m = is_of_light(place, track) ? distance_to(place_m, track, diagonal_m) : none_m;
     distances_m.push_back(distance_m);
     second_m = std::min(second_m, std::max(distance_m, least_m));
     least_m = std::min(least_m, distance_m);
@@ -70,24 +77,28 @@ std::vector<double> shares_nearest(const NearestPlace& place, const std::vector<
   return shares;
 }
 
-void take_places(const std::vector<NearestPlace>& places, double diagonal_m, TrackState& state) {
+void take_places(const HighlightSurface& surface, const std::vector<NearestPlace>& places,
+                 TrackState& state) {
   if (places == state.places) return;
+  std::vector<NearestPlace> all;
   std::vector<std::vector<double>> taken(state.tracks.size());  // [tracks][places]
   for (const NearestPlace& place : places) {
     const auto known = std::find(state.places.begin(), state.places.end(), place);
+    const bool is_known = known != state.places.end();
     const auto index = static_cast<std::size_t>(known - state.places.begin());
-    const std::vector<double> anew = shares_nearest(place, state.tracks, diagonal_m);
+    all.push_back(is_known ? *known : on_surface(surface, place));
+    const std::vector<double> anew = shares_nearest(surface, all.back(), state.tracks);
     for (std::size_t i = 0; i < taken.size(); ++i)
-      taken[i].push_back(known != state.places.end() ? state.tracks[i].nearest[index] : anew[i]);
+      taken[i].push_back(is_known ? state.tracks[i].nearest[index] : anew[i]);
   }
   for (std::size_t i = 0; i < taken.size(); ++i) state.tracks[i].nearest = std::move(taken[i]);
-  state.places = places;
+  state.places = std::move(all);
 }
 
-void follow_places(double diagonal_m, double fade, std::span<const double> opacities_before,
+void follow_places(const HighlightSurface& surface, double fade, std::span<const double> opacities_before,
                    TrackState& state) {
   for (std::size_t place = 0; place < state.places.size(); ++place) {
-    const std::vector<double> wanted = shares_nearest(state.places[place], state.tracks, diagonal_m);
+    const std::vector<double> wanted = shares_nearest(surface, state.places[place], state.tracks);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       HighlightTrack& track = state.tracks[i];
       track.nearest.resize(state.places.size(), 0.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -184,13 +185,16 @@ void inherit(const HighlightSurface& surface, const TrackOptions& options, Track
 }
 
 /// Of those that are one to the eye, the visible one that is the oldest leads, and the others are merged with
-/// it.
+/// it. Where none is visible, it is the largest.
 void merge(const HighlightSurface& surface, const TrackOptions& options,
            std::vector<HighlightTrack>& tracks) {
   std::vector<HighlightTrack*> by_rank;
   for (HighlightTrack& track : tracks) by_rank.push_back(&track);
-  std::ranges::stable_partition(
+  const auto others = std::ranges::stable_partition(
       by_rank, [](const HighlightTrack* track) { return is_visible(*track) && !track->is_merged; });
+  std::ranges::stable_sort(others, std::ranges::greater{}, [](const HighlightTrack* track) {
+    return track->projector.width_m * track->projector.height_m;
+  });
   std::vector<const HighlightTrack*> leaders;
   for (HighlightTrack* track : by_rank) {
     const bool until_parted = track->is_merged || !is_visible(*track);
@@ -285,7 +289,7 @@ void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>&
     track.opacity += std::clamp(wanted_opacity(lit_share, options, track) - track.opacity, -fade, fade);
     track.shown_s = is_visible(track) ? track.shown_s + options.step_s : 0.0;
   }
-  follow_places(surface.diagonal_m(), fade, opacities_before, state);
+  follow_places(surface, fade, opacities_before, state);
   std::erase_if(state.tracks, is_over);
   ++state.step;
 }
