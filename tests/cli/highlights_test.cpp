@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -261,6 +262,35 @@ TEST_F(Highlights, CanHaveTheirScene) {
   EXPECT_EQ(lights[0].at("name"), "key");
   EXPECT_EQ(lights[0].at("intensity"), 50e3);
   EXPECT_EQ(lights[1].at("name"), "sun");
+}
+
+// A tetrahedron that grows from a file to the next. Fails if the mesh of --with-scene stays at rest.
+TEST_F(Highlights, SceneHasMeshesThatDeform) {
+  for (int number = 0; number < 2; ++number) {
+    std::ofstream(path(fmt::format("form_{}.obj", number))) << fmt::format(
+        "v 0 0 0\nv 1 0 0\nv 0 {} 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", 1 + number);
+  }
+  std::ofstream(path("growing.toml"))
+      << "version = 1\n[time]\nfps = 10\nend_s = 0.5\n[[mesh]]\nname = \"growing\"\n"
+         "file = \"form_%d.obj\"\nsequence_fps = 2\n";
+  const ProgramResult result =
+      run_offing({"highlights", path("growing.toml"), "-o", path("shot.gltf"), "--with-scene", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json json = read(path("shot.gltf"));
+  const nlohmann::json& look = json.at("meshes").at(json.at("nodes").at(0).at("mesh").get<std::size_t>());
+  // Frames 0 to 4 are different forms; the first one is as the mesh at rest.
+  const nlohmann::json& targets = look.at("primitives").at(0).at("targets");
+  ASSERT_EQ(targets.size(), 5u);
+  const auto largest_y = [&](std::size_t target) {
+    return json.at("accessors")
+        .at(targets.at(target).at("POSITION").get<std::size_t>())
+        .at("max")
+        .at(1)
+        .get<double>();
+  };
+  EXPECT_EQ(largest_y(0), 0.0);
+  EXPECT_NEAR(largest_y(2), 0.4, 1e-6);
+  EXPECT_NEAR(largest_y(4), 0.8, 1e-6);
 }
 
 // Fails if a texture that needs a picture and has none is written as one without a file, or found only after

@@ -2,7 +2,8 @@
 layer of `offing-view --highlights only` over its own picture of the mesh.
 
 Imported: every node is an object with its name and extras, every material, camera and light is there, and they have keys where
-the file has them. Eight corners around the mesh are where Offing's camera has them. Fails if names, units or axes are lost.
+the file has them. Eight corners around the mesh are where Offing's camera has them, and a mesh that deforms has Offing's form in every frame. Fails if
+names, units, axes or forms are lost.
 
 Layer: Blender draws the mesh without highlights, and with them as it projects the textures of the imported boxes itself. The
 layer over the first picture is the second within 2/255 (sRGB), measured 0.99. Fails if the layer is shifted or of another camera, size, opacity or kind of alpha."""
@@ -53,7 +54,16 @@ spin_deg_per_s = 20
 [[mesh.highlight]]
 softness = 1
 opacity = 0.8
+[[mesh]]
+name = "growing"
+file = "form_%d.obj"
+sequence_fps = 2
+x_m = 30
+highlights = "off"
 """
+# A tetrahedron at 0 s and at 0.5 s; Offing goes straight from form to form.
+FORMS = [[(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 0, 0), (2, 0.5, 0), (0, 1, 0), (0, -0.5, 3)]]
+FACES = [(1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)]
 
 
 def imported(folder):
@@ -91,6 +101,23 @@ def check_import(document):
     assert "/extensions/KHR_lights_punctual/lights/0/intensity" in pointers and has_keys(bpy.data.objects["key"].data)
     assert bpy.data.objects["key"].data.type == "POINT" and bpy.data.objects["sun"].data.type == "SUN"
     print(f"{len(nodes)} objects, {len(moved)} of them moving; {len(bpy.data.materials)} materials, {len(animated)} animated")
+
+
+def check_forms():
+    """The mesh that deforms, as Blender has it halfway between two forms. Fails if it is at rest."""
+    scene, thing = bpy.context.scene, bpy.data.objects["growing"]
+    worst = 0
+    for frame in (0, 6, 9, 12):
+        scene.frame_set(frame)
+        evaluated = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        mesh = evaluated.to_mesh()
+        found = np.array([(vertex.co.x, vertex.co.z, -vertex.co.y) for vertex in mesh.vertices])
+        evaluated.to_mesh_clear()
+        share = min(frame / FPS / 0.5, 1)
+        expected = (1 - share) * np.array(FORMS[0]) + share * np.array(FORMS[1])
+        worst = max(worst, np.abs(found - expected).max())
+    print(f"forms off by {worst:.1e} m at most")
+    assert worst < 1e-5
 
 
 def pixel_of(place, time_s):
@@ -222,7 +249,11 @@ def check_layer(scene, folder):
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     (folder / "shot.toml").write_text(SCENE)
+    for i, form in enumerate(FORMS):
+        lines = [f"v {x} {y} {z}" for x, y, z in form] + [f"f {a} {b} {c}" for a, b, c in FACES]
+        (folder / f"form_{i}.obj").write_text("\n".join(lines) + "\n")
     check_import(imported(folder))
+    check_forms()
     scene = bpy.context.scene
     scene.camera = bpy.data.objects["camera"]
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT

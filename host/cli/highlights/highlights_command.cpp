@@ -106,7 +106,8 @@ animations::ProjectorSample sample_of(const DrawnHighlight& drawn, std::size_t t
 
 animations::MeshFrame frame_of(const world::WorldMesh& view, const scene::MeshScene& mesh,
                                Textures& textures) {
-  animations::MeshFrame frame{view.motion().rotation, view.motion().translation_m, {}};
+  animations::MeshFrame frame{
+      .rotation = view.motion().rotation, .translation_m = view.motion().translation_m, .projectors = {}};
   for (const DrawnHighlight& drawn : view.highlights()) {
     if (!(drawn.opacity > 0.0)) continue;
     const std::string file =
@@ -138,6 +139,18 @@ enum class Around { nothing, scene };
 
 animations::MeshLook look_of(const world::WorldMesh& view) {
   return {std::make_shared<TriangleMesh>(view.surface().mesh()), view.parameters().material.colour};
+}
+
+/// The form of a mesh that deforms, that of the frame before if it is the same.
+std::shared_ptr<const MeshForm> form_of(const world::WorldMesh& view,
+                                        const std::vector<animations::MeshFrame>& before) {
+  if (!view.parameters().deformation) return {};
+  const TriangleMesh& mesh = view.surface().mesh();
+  const auto is_same = [&](const MeshForm& form) {
+    return form.positions_m == mesh.positions_m && form.normals == mesh.normals;
+  };
+  if (!before.empty() && is_same(*before.back().form)) return before.back().form;
+  return std::make_shared<MeshForm>(MeshForm{mesh.positions_m, mesh.normals});
 }
 
 /// The lights of a world at rest, without frames yet. A near one is as far away as the first mesh is from it.
@@ -203,8 +216,12 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
       if (!animation.scene) animation.scene = {.cameras = {}, .lights = lights_of(world)};
       add_frame(*animation.scene, world, view.camera);
     }
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-      animation.meshes[i].frames.push_back(frame_of(world.meshes()[i], scene.meshes[i], textures));
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      std::vector<animations::MeshFrame>& shown = animation.meshes[i].frames;
+      animations::MeshFrame next = frame_of(world.meshes()[i], scene.meshes[i], textures);
+      if (around == Around::scene) next.form = form_of(world.meshes()[i], shown);
+      shown.push_back(std::move(next));
+    }
     progress.advance();
   }
   return animation;

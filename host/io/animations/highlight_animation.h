@@ -44,6 +44,8 @@ struct MeshFrame {
   glm::dmat3 rotation{1.0};
   glm::dvec3 translation_m{0.0};
   std::vector<ProjectorSample> projectors;
+  /// Of a mesh that deforms and has a look: frames of the same form share one. None: at rest.
+  std::shared_ptr<const MeshForm> form = {};
 };
 
 /// What a mesh looks like at rest, for programs that do not have its file.
@@ -116,7 +118,8 @@ enum class GltfForm {
 /// mesh's node its file and the scale of the file's places, which the node does not have. Poses lie at each
 /// frame, linear in between.
 ///
-/// A mesh with a look is in the file too: positions, normals and a material of its name. A scene gives a node
+/// A mesh with a look is in the file too: positions, normals and a material of its name. Each of its forms is
+/// a morph target, and weights lead from form to form. A scene gives a node
 /// "camera" and a node for each light (KHR_lights_punctual), in lux, or in candela that make its illuminance
 /// at distance_m; values that do not change have no keys.
 std::string highlight_animation_gltf(const HighlightAnimation& animation, GltfForm form);

@@ -381,16 +381,56 @@ class Writer {
     return {x, glm::cross(z, x), z};
   }
 
+  std::size_t add_vectors(const std::vector<glm::dvec3>& vectors) {
+    std::vector<float> values;
+    for (const glm::dvec3& vector : vectors) {
+      for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(vector[c]));
+    }
+    return buffer_.add(values, 3);
+  }
+
+  std::size_t add_differences(std::vector<glm::dvec3> vectors, const std::vector<glm::dvec3>& at_rest) {
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] -= at_rest[i];
+    return add_vectors(vectors);
+  }
+
+  /// Gives a mesh that deforms a morph target for each of its forms. Of the targets of a frame one has the
+  /// weight 1, so that vertices go straight from frame to frame.
+  void add_forms(const AnimatedMesh& mesh, std::size_t node) {
+    const TriangleMesh& at_rest = *mesh.look->mesh;
+    std::vector<const MeshForm*> forms;
+    std::vector<std::size_t> form_of_frame;  // [frames]; beyond all forms: at rest
+    Json targets = Json::array(), names = Json::array();
+    for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame) {
+      const MeshForm* form = mesh.frames[frame].form.get();
+      const auto known = std::ranges::find(forms, form);
+      form_of_frame.push_back(form == nullptr ? mesh.frames.size()
+                                              : static_cast<std::size_t>(known - forms.begin()));
+      if (form == nullptr || known != forms.end()) continue;
+      forms.push_back(form);
+      names.push_back(fmt::format("frame {}", animation_.first_frame + static_cast<int>(frame)));
+      targets.push_back({{"POSITION", add_differences(form->positions_m, at_rest.positions_m)}});
+      if (!at_rest.normals.empty() && !form->normals.empty())
+        targets.back()["NORMAL"] = add_differences(form->normals, at_rest.normals);
+    }
+    if (forms.empty()) return;
+    std::vector<float> weights(mesh.frames.size() * forms.size(), 0.0f);
+    for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame) {
+      if (form_of_frame[frame] < forms.size()) weights[frame * forms.size() + form_of_frame[frame]] = 1.0f;
+    }
+    Json& made = meshes_[nodes_[node]["mesh"].get<std::size_t>()];
+    made["primitives"][0]["targets"] = std::move(targets);
+    made["weights"] =
+        std::vector<float>(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(forms.size()));
+    made["extras"] = {{"targetNames", std::move(names)}};  // where programs look for them
+    if (changes(weights, forms.size()))
+      add_channel({{"node", node}, {"path", "weights"}}, frame_times(mesh.frames.size()),
+                  buffer_.add(weights, 1));
+  }
+
   /// A mesh with a material of its name: the index of the mesh.
   std::size_t add_look(const MeshLook& look, const std::string& name) {
     const TriangleMesh& mesh = *look.mesh;
-    const auto add_vectors = [&](const std::vector<glm::dvec3>& vectors) {
-      std::vector<float> values;
-      for (const glm::dvec3& vector : vectors) {
-        for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(vector[c]));
-      }
-      return buffer_.add(values, 3);
-    };
     std::vector<std::uint32_t> corners;
     for (const TriangleIndices& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
     Json attributes = {{"POSITION", add_vectors(mesh.positions_m)}};
@@ -415,7 +455,10 @@ class Writer {
     if (!mesh.file.empty()) extras["file"] = mesh.file;
     nodes_.push_back({{"name", mesh.name}, {"extras", std::move(extras)}});
     roots_.push_back(node);
-    if (mesh.look) nodes_[node]["mesh"] = add_look(*mesh.look, mesh.name);
+    if (mesh.look) {
+      nodes_[node]["mesh"] = add_look(*mesh.look, mesh.name);
+      add_forms(mesh, node);
+    }
     NodeKeys keys;
     for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame)
       keys.add_pose(time_s(frame), mesh.frames[frame].translation_m, mesh.frames[frame].rotation);

@@ -358,6 +358,65 @@ TEST(HighlightAnimationTest, GltfHasTheSceneAround) {
   EXPECT_EQ(model.materials.at(static_cast<std::size_t>(look.material)).name, "knot");
 }
 
+/// The example with a mesh that rises from frame 2 to 4 and keeps its form from then on.
+HighlightAnimation example_that_deforms() {
+  HighlightAnimation animation = example_with_scene();
+  const TriangleMesh& at_rest = *animation.meshes[0].look->mesh;
+  for (std::size_t frame = 2; frame < frame_count; ++frame) {
+    MeshFrame& shown = animation.meshes[0].frames[frame];
+    if (frame > 4) {
+      shown.form = animation.meshes[0].frames[4].form;
+      continue;
+    }
+    MeshForm form{.positions_m = at_rest.positions_m, .normals = at_rest.normals};
+    form.positions_m[3] += glm::dvec3(0.0, 0.25 * static_cast<double>(frame), 0.0);
+    form.normals[3] = {1.0, 0.0, 0.0};
+    shown.form = std::make_shared<MeshForm>(form);
+  }
+  return animation;
+}
+
+// Fails if a mesh that deforms is at rest in any frame (as it was before), if a form is written twice, or if
+// weights are those of another frame.
+TEST(HighlightAnimationTest, GltfHasTheFormOfEachFrame) {
+  const TemporaryFolder folder;
+  const HighlightAnimation animation = example_that_deforms();
+  write_highlights(folder.path() / "h.gltf", animation);
+  std::string error;
+  const tinygltf::Model model = read_by_others(folder.path() / "h.gltf", error);
+  const tinygltf::Mesh& mesh = model.meshes.at(static_cast<std::size_t>(model.nodes[0].mesh));
+  const tinygltf::Primitive& look = mesh.primitives.at(0);
+  ASSERT_EQ(look.targets.size(), 3u);
+  EXPECT_EQ(mesh.extras.Get("targetNames").Get(2).Get<std::string>(), "frame 34");
+  EXPECT_THAT(mesh.weights, testing::ElementsAre(0.0, 0.0, 0.0));
+  std::vector<double> weights;
+  for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels) {
+    if (channel.target_node != 0 || channel.target_path != "weights") continue;
+    for (const auto& row :
+         rows(model, model.animations[0].samplers.at(static_cast<std::size_t>(channel.sampler)).output))
+      weights.push_back(row.at(0));
+  }
+  ASSERT_EQ(weights.size(), 3u * frame_count);
+  for (const char* name : {"POSITION", "NORMAL"}) {
+    const auto at_rest = rows(model, look.attributes.at(name));
+    for (std::size_t frame = 0; frame < frame_count; ++frame) {
+      const MeshForm* form = animation.meshes[0].frames[frame].form.get();
+      const TriangleMesh& look_mesh = *animation.meshes[0].look->mesh;
+      const bool has_places = std::string(name) == "POSITION";
+      const std::vector<glm::dvec3>& asked = form == nullptr
+                                                 ? (has_places ? look_mesh.positions_m : look_mesh.normals)
+                                                 : (has_places ? form->positions_m : form->normals);
+      for (std::size_t vertex = 0; vertex < asked.size(); ++vertex) {
+        glm::dvec3 found = vector_of(at_rest[vertex]);
+        for (std::size_t target = 0; target < 3; ++target)
+          found +=
+              weights[3 * frame + target] * vector_of(rows(model, look.targets[target].at(name))[vertex]);
+        EXPECT_LE(glm::distance(found, asked[vertex]), 1e-6) << name << " " << frame;
+      }
+    }
+  }
+}
+
 // Neighbouring keys of a rotation are less than half a turn apart as numbers too: players mix them so. Fails
 // where the sign that a matrix leaves open flips.
 TEST(HighlightAnimationTest, RotationsDoNotFlipTheirSign) {
