@@ -178,26 +178,37 @@ struct Support {
   std::vector<std::uint8_t> is_folded;
 };
 
+/// The faces around a vertex, as one vector; at a border, where these are few, those around its neighbours
+/// too.
+glm::dvec3 outward(const UnitMesh& mesh, const SurfaceMeasures& measures, std::uint32_t vertex) {
+  if (mesh.on_border[vertex] == 0) return measures.normals[vertex];
+  glm::dvec3 sum = measures.areas[vertex] * measures.normals[vertex];
+  for (const std::uint32_t other : mesh.neighbours.neighbours_of(vertex))
+    sum += measures.areas[other] * measures.normals[other];
+  return glm::length(sum) > 0.0 ? glm::normalize(sum) : measures.normals[vertex];
+}
+
 /// A face is folded over where it looks away from the normals of its corners. Scans have such faces. These
 /// are left out of their corners' normals too.
 Support support_of(const UnitMesh& mesh, const SurfaceMeasures& measures) {
   Support support{measures.normals, std::vector<std::uint8_t>(mesh.vertex_count(), 0)};
   const auto is_folded = [&](std::uint32_t face) {
     const auto& [a, b, c] = mesh.neighbours.faces[face];
-    const glm::dvec3 sum = measures.normals[a] + measures.normals[b] + measures.normals[c];
+    const glm::dvec3 sum =
+        outward(mesh, measures, a) + outward(mesh, measures, b) + outward(mesh, measures, c);
     return measures.face_areas[face] > 0.0 && glm::dot(measures.face_normals[face], sum) < 0.0;
   };
   for (std::uint32_t face = 0; face < mesh.neighbours.faces.size(); ++face) {
     if (!is_folded(face)) continue;
     for (const std::uint32_t corner : mesh.neighbours.faces[face]) support.is_folded[corner] = 1;
   }
-  for (std::size_t vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
+  for (std::uint32_t vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
     if (support.is_folded[vertex] == 0) continue;
     glm::dvec3 sum(0.0);
     for (const std::uint32_t face : mesh.neighbours.vertex_faces.row(vertex)) {
       if (!is_folded(face)) sum += measures.face_areas[face] * measures.face_normals[face];
     }
-    if (glm::length(sum) > 0.0) support.normals[vertex] = glm::normalize(sum);
+    support.normals[vertex] = glm::length(sum) > 0.0 ? glm::normalize(sum) : outward(mesh, measures, vertex);
   }
   return support;
 }

@@ -116,11 +116,15 @@ TEST(CurvatureOfScans, DefaultsStayWithinThreeTimesTheCleanError) {
   expect_robust("head", 1.2, [](const Roughness& r) { return make_head(1.0, 5, r); });
 }
 
-// At a border half of a ball is empty: one of 9 edges leaves six times the clean error. Measured 0.52 and
-// 1.40 %.
+// At a border half of a ball is empty: one of 9 edges leaves six times the clean error. A folded face there is
+// most of the faces around its corners: by these alone, its neighbours are taken for folded, and the error is
+// 294 %. Measured 0.52; 1.40, 0.56 and 1.48 %.
 TEST(CurvatureOfScans, BordersStayWithinThreeTimesTheCleanError) {
   const auto saddle = [](const Roughness& r) { return make_saddle(1.0, {100, 100, Diagonals::random}, r); };
-  EXPECT_LE(scan_error_percent(saddle, 0.02), 3.0 * scan_error_percent(saddle, 0.0));
+  const double most = 3.0 * scan_error_percent(saddle, 0.0);
+  EXPECT_LE(scan_error_percent(saddle, 0.02), most);
+  EXPECT_LE(scan_error_percent(saddle, 0.0, Faults::folds), most);
+  EXPECT_LE(scan_error_percent(saddle, 0.02, Faults::folds), most);
 }
 
 // A fit is exact on spheres, so that there is no clean error to compare with. Measured 0.68 %.
