@@ -3,8 +3,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numbers>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -291,6 +294,42 @@ TEST_F(Highlights, SceneHasMeshesThatDeform) {
   EXPECT_EQ(largest_y(0), 0.0);
   EXPECT_NEAR(largest_y(2), 0.4, 1e-6);
   EXPECT_NEAR(largest_y(4), 0.8, 1e-6);
+}
+
+// The shipped figure, whose skin moves, over one wave at 24 frames a second. Fails if its window, star,
+// streak or stripes are missing in a frame or blink, if highlights crowd, or if one changes faster than its
+// limits.
+TEST_F(Highlights, TheShippedFigureKeepsItsLooks) {
+  const ProgramResult result =
+      run_offing({"highlights", std::string(OFFING_SCENES) + "/figure.toml", "-o", path("figure.json"),
+                  "--frames", "0:95", "--fps", "24", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  for (const nlohmann::json& mesh : read(path("figure.json")).at("meshes")) {
+    std::map<std::vector<int>, nlohmann::json> before;  // by id, rule and copy
+    for (const nlohmann::json& frame : mesh.at("frames")) {
+      std::map<std::vector<int>, nlohmann::json> now;
+      std::set<int> ids;
+      std::map<int, double> opacities;  // by rule
+      for (const nlohmann::json& shown : frame.at("highlights")) {
+        now[{shown.at("id"), shown.at("rule"), shown.at("copy")}] = shown;
+        ids.insert(shown.at("id").get<int>());
+        if (shown.at("copy") == 0) opacities[shown.at("rule")] += shown.at("opacity").get<double>();
+      }
+      EXPECT_LE(ids.size(), 9u);
+      for (const int rule : {1, 2})
+        EXPECT_GE(opacities[rule], 0.5) << mesh.at("name") << " " << frame.at("frame");
+      for (const auto& [name, shown] : now) {
+        const auto old = before.find(name);
+        if (old == before.end()) continue;
+        for (const char* size : {"width_m", "height_m"})
+          EXPECT_LE(std::abs(std::log(shown.at(size).get<double>() / old->second.at(size).get<double>())),
+                    0.101);
+        EXPECT_LE(std::abs(shown.at("opacity").get<double>() - old->second.at("opacity").get<double>()),
+                  0.18);
+      }
+      before = std::move(now);
+    }
+  }
 }
 
 // Fails if a texture that needs a picture and has none is written as one without a file, or found only after
