@@ -39,7 +39,7 @@ using Clock = std::chrono::steady_clock;
 /// scene that names its key, else in the one that names its section.
 struct BaseScene {
   std::string_view names;  // separated by spaces
-  std::string_view text;   // MEASURED, MAP, GRID, STORE and WAMIT stand for files
+  std::string_view text;   // MEASURED, MAP, GRID, STORE, WAMIT and SEQUENCE stand for files
 };
 
 constexpr BaseScene bases[] = {
@@ -90,6 +90,7 @@ constexpr BaseScene bases[] = {
     {"mesh mesh.highlight",
      "[time]\nstart_s = 2\n[[mesh]]\nshape = \"sphere\"\nshading = \"cartoon\"\noutline_px = 2\n"
      "specular = 0.1\n[[mesh.highlight]]\nmask_m = [0, 0, 1]\nsplit = 3\ntexture = \"star\"\n"},
+    {"mesh.sequence_fps", "[time]\nstart_s = 1\n[[mesh]]\nfile = \"SEQUENCE\"\nhighlights = \"off\"\n"},
     {"body body.mooring",
      "[ocean]\nsize = 32\n[[mesh]]\nname = \"box\"\nshape = \"box\"\n[[body]]\nmesh = "
      "\"box\"\n[[body.mooring]]\n"},
@@ -248,6 +249,10 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     for (int i = 0; i < 17 * 17; ++i) map.put(static_cast<char>(7 * i % 100)).put(0);
     map.close();
     std::ofstream(file("map.asc")) << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2\n3 4\n";
+    for (const char* top_m : {"2", "3"}) {
+      std::ofstream(file(fmt::format("mesh_{}.obj", top_m)))
+          << "v 0 0 0\nv 2 0 0\nv 0 " << top_m << " 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    }
     const auto tile =
         run(OFFING_MAIN_PROGRAM, {"terrain", "tile", file("map.r16"), "-o", file("store"), "--raw-size",
                                   "17x17", "--raw-type", "u16", "--spacing-m", "30", "--quiet"});
@@ -261,7 +266,7 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     for (const auto& [name, path] :
          {std::pair("MEASURED", std::string(OFFING_SCENES "/example_sea.data_spec")),
           std::pair("MAP", file("map.r16")), std::pair("GRID", file("map.asc")),
-          std::pair("STORE", file("store")),
+          std::pair("STORE", file("store")), std::pair("SEQUENCE", file("mesh_%d.obj")),
           std::pair("WAMIT", std::string(OFFING_HYDRODYNAMICS "/box.1"))}) {
       if (const std::size_t at = text.find(name); at != std::string::npos)
         text.replace(at, std::string(name).size(), path);
