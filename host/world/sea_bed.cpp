@@ -62,4 +62,24 @@ ocean::DepthMap sea_bed(const TerrainParameters& terrain) {
   return bed_of(overview, terrain.origin_x_m, terrain.origin_z_m);
 }
 
+double beach_slope(const ocean::DepthMap& bed) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (int row = 0; row + 1 < bed.rows; ++row) {
+    for (int column = 0; column + 1 < bed.columns; ++column) {
+      const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(bed.columns) +
+                         static_cast<std::size_t>(column);
+      const auto depth_m = [&](std::size_t post) { return static_cast<double>(bed.depths_m[first + post]); };
+      const auto below = static_cast<std::size_t>(bed.columns);
+      const double d00 = depth_m(0), d10 = depth_m(1), d01 = depth_m(below), d11 = depth_m(below + 1);
+      // The waterline may run along posts: then the cells on land count.
+      if (std::min({d00, d10, d01, d11}) >= 0.0 || std::max({d00, d10, d01, d11}) < 0.0) continue;
+      sum += 0.5 *
+             std::hypot((d10 - d00 + d11 - d01) / bed.spacing_x_m, (d01 - d00 + d11 - d10) / bed.spacing_z_m);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 }  // namespace offing::world

@@ -12,4 +12,7 @@ namespace offing::world {
 /// reading tiles throws.
 ocean::DepthMap sea_bed(const TerrainParameters& terrain);
 
+/// The mean slope of a bed where the waterline crosses it, by cells; 0 where it does nowhere.
+double beach_slope(const ocean::DepthMap& bed);
+
 }  // namespace offing::world

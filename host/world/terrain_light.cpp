@@ -33,7 +33,8 @@ TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere&
           .sea_level_m = narrow(lines.sea_level_m),
           .beach_line_m = narrow(lines.beach_line_m),
           .tree_line_m = narrow(lines.tree_line_m),
-          .snow_line_m = narrow(lines.snow_line_m)};
+          .snow_line_m = narrow(lines.snow_line_m),
+          .swash = {}};
 }
 
 }  // namespace offing::world

@@ -251,27 +251,35 @@ void World::see_terrain(const Camera& camera, const terrain::Sampling& sampling,
   terrain::SeaOverTerrain sea;
   const double waves_m = reach().vertical_m;
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
-  // bends.
-  if (ocean_ && camera.eye_m.y > waves_m) sea = {.below_m = -waves_m, .bend_perm = 0.5 / sea_radius_m};
+  // bends. Where the water is a film over it, it is seen as sharply as on land.
+  constexpr double film_m = 0.3;
+  if (ocean_ && camera.eye_m.y > waves_m)
+    sea = {.below_m = -waves_m - film_m, .bend_perm = 0.5 / sea_radius_m};
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
-  terrain_->at(camera, sky_, {terrain_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
+  terrain_->at(camera, sky_, {light_on_terrain(camera), shade ? &*shade : nullptr}, sampling, wait, sea);
 }
 
 void World::see_mirrored_terrain(const Camera& mirrored) {
   if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(mirrored);
-  terrain_->mirror_at(mirrored, sky_, {terrain_light_, shade ? &*shade : nullptr});
+  terrain_->mirror_at(mirrored, sky_, {light_on_terrain(mirrored), shade ? &*shade : nullptr});
 }
 
 void World::see_terrain_beneath(const Camera& camera) {
   if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
-  terrain_->beneath_at(camera, sky_, {terrain_light_, shade ? &*shade : nullptr},
+  terrain_->beneath_at(camera, sky_, {light_on_terrain(camera), shade ? &*shade : nullptr},
                        {.below_m = -reach().vertical_m - seen_m,
                         .bend_perm = 0.5 / sea_radius_m,
                         // Far above what a wave's foot shows of a beach: pixels there are coarse.
                         .above_m = reach().vertical_m + seen_m});
+}
+
+TerrainLight World::light_on_terrain(const Camera& camera) const {
+  TerrainLight light = terrain_light_;
+  if (swash_) light.swash = swash_->at(camera.eye_m.x, camera.eye_m.z, time_s_);
+  return light;
 }
 
 std::optional<terrain::CloudShade> World::shade_of_clouds(const Camera& camera) const {

@@ -15,6 +15,7 @@
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocean/surface/projected_grid.h"
+#include "host/ocean/surface/swash.h"
 #include "host/ocean/surface/water_optics.h"
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
@@ -208,9 +209,13 @@ class World {
   /// deep to be felt, or where waves are not to shoal.
   const std::shared_ptr<const ocean::Shoals>& shoals() const { return shoals_; }
 
+  /// What waves wash up and down the shores; none where the sea is open or no waterline crosses the ground.
+  /// Pictures alone have it.
+  const std::optional<ocean::Swash>& swash() const { return swash_; }
+
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
   /// deviations of the cascades, which one sample in 10^8 exceeds, all Gerstner waves at once, and the eight
-  /// tallest rings; over shoals, as high as the highest of them make waves.
+  /// tallest rings; over shoals, as high as the highest of them make waves, and the swash besides.
   ocean::SurfaceReach reach() const;
 
  private:
@@ -221,6 +226,8 @@ class World {
   BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_}; }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
+  /// On the ground that this camera sees.
+  TerrainLight light_on_terrain(const Camera& camera) const;
   std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;
   void light_clouds(double time_s);
 
@@ -231,6 +238,7 @@ class World {
   std::vector<ocean::ShoalingBand> cascade_bands_;   // of ocean_
   std::shared_ptr<const ocean::DepthMap> bed_;       // of terrain_; none: not made yet
   std::shared_ptr<const ocean::Shoals> shoals_;
+  std::optional<ocean::Swash> swash_;
   std::shared_ptr<WorldBodies> bodies_;
   std::optional<WorldWakes> wakes_;
   int most_wake_steps_ = 0;
@@ -249,6 +257,7 @@ class World {
   sky::Illuminance illuminance_;
   HiddenSlopes hidden_slopes_;
   double deviation_m_ = 0.0;  // of the cascades' heights
+  double travel_rad_ = 0.0;   // mean direction of the sea
 };
 
 }  // namespace offing::world

@@ -108,6 +108,7 @@ void World::make_sea(const WorldParameters& parameters) {
   const std::vector<std::vector<float>> variances = variances_of(made);
   hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
   deviation_m_ = deviation_m(variances);
+  travel_rad_ = ocean::integrate_sea_state(parameters.spectrum).mean_direction_rad;
   cascade_bands_ = bands_of(variances, parameters.ocean);
   ocean_ = std::move(made);
   spare_ocean_.reset();
@@ -136,6 +137,7 @@ void World::set_sea_samples(int most) {
 
 void World::make_shoals() {
   std::shared_ptr<const ocean::Shoals> made;
+  swash_.reset();
   if (ocean_ && terrain_ && parameters_.has_shoals) {
     if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(terrain_->parameters()));
     const ocean::ShoalTable table(
@@ -143,6 +145,10 @@ void World::make_shoals() {
         ocean::shoaling_bands(cascade_bands_, parameters_.ocean.gerstner_waves.waves));
     if (bed_->shallowest_m() < table.deepest_m()) {
       made = std::make_shared<const ocean::Shoals>(device_, bed_, table);
+      const double slope = beach_slope(*bed_);
+      if (slope > 0.0)
+        swash_.emplace(parameters_.spectrum.dispersion, table.bands(), slope, travel_rad_,
+                       parameters_.ocean.seed);
     }
   }
   shoals_ = std::move(made);
@@ -209,7 +215,7 @@ ocean::SurfaceReach World::reach() const {
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
                           ocean::horizontal_scale(gerstner_waves).scale * gerstner_waves_m,
           .vertical_m = waves_m + gerstner_waves_m + height_of_rings_m(gerstner_waves.raindrops, time_s_) +
-                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
+                        (swash_ ? swash_->farthest_m() : 0.0) + (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
                         (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
 }
 

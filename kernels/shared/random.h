@@ -21,6 +21,7 @@ typedef std::uint64_t offing_uint64;
 // Ocean cascade i uses OFFING_STREAM_OCEAN_CASCADE + i, i < 4.
 #define OFFING_STREAM_OCEAN_CASCADE 0x0cea0000u
 #define OFFING_STREAM_OCEAN_GERSTNER 0x0cea0100u
+#define OFFING_STREAM_OCEAN_SWASH 0x0cea0102u
 // Rain on a wake window: n and m are a square of the world, index the step.
 #define OFFING_STREAM_WAKE_RAIN 0x0cea0101u
 // Terrain: n and m are a lattice point, index its octave.

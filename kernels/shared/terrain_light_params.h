@@ -3,6 +3,8 @@
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 
+#include "kernels/shared/swash_params.h"
+
 // Rays that a pixel needs.
 #define TERRAIN_ONE_RAY 0
 #define TERRAIN_FEW_RAYS 1  // a quarter of many
@@ -21,10 +23,11 @@ typedef struct {
   float beach_line_m;  // ground below is sand, wet from a metre below the line on
   float tree_line_m;
   float snow_line_m;
+  SwashParams swash;  // about the point at sea level below the eye
 } TerrainLight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLight) == 64, "no padding");
+static_assert(sizeof(TerrainLight) == 236, "no padding");
 #endif
 
 #endif

@@ -9,6 +9,7 @@
 #include "kernels/shared/random.h"
 #include "kernels/shared/shoal_params.h"
 #include "kernels/shared/sky_params.h"
+#include "kernels/shared/swash_params.h"
 #include "kernels/shared/wake.h"
 
 namespace offing {
@@ -126,6 +127,14 @@ TEST(SharedLayoutTest, ShoalMap) {
                                 {"tile_x", "origin_x_m", "columns_per_m", "columns", "rows", "deepest_m"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, origin_x_m), offsetof(S, columns_per_m),
                     offsetof(S, columns), offsetof(S, rows), offsetof(S, deepest_m)}));
+}
+
+TEST(SharedLayoutTest, SwashParams) {
+  using S = SwashParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/swash_params.h", "SwashParams",
+                                {"kx_radpm", "kz_radpm[7]", "phase_rad", "setup_m", "period_s"}),
+            (Layout{sizeof(S), offsetof(S, kx_radpm), offsetof(S, kz_radpm[7]), offsetof(S, phase_rad),
+                    offsetof(S, setup_m), offsetof(S, period_s)}));
 }
 
 TEST(SharedLayoutTest, Wakes) {

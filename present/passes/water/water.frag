@@ -11,6 +11,7 @@ uniform sampler2D foam_pattern;  // foam_texture()
 out vec4 light;
 
 const float foam_albedo = 0.5;
+const vec3 wet_sand_albedo = vec3(0.19, 0.16, 0.117);  // kernels/terrain/terrain_cover.clh
 // Where the surface all but folds, slopes of a height field lose their meaning; foam hides such places.
 const float least_jacobian = 0.2;
 
@@ -66,6 +67,12 @@ vec2 foam_moments(vec2 place, float level) {
   return vec2(mean, max(texel.y - mean * mean, 0.0));
 }
 
+// Of the pattern on the drifting water, as a pixel shows it.
+float foam_value(vec2 label_m, float width_m) {
+  float texel_m = water.foam_tile_m / float(textureSize(foam_pattern, 0).x);
+  return foam_moments(water.foam_place + label_m / water.foam_tile_m, max(0.0, log2(width_m / texel_m))).x;
+}
+
 // How much of the water foam of this coverage hides here: patches, threads and streaks that drift with the water,
 // as far as a pixel shows them. The pattern's values are normal and foam lies where they exceed a threshold, so that
 // the mean opacity is the coverage at every width: what a pixel hides of the pattern softens its edges.
@@ -113,6 +120,27 @@ vec2 ragged(vec2 label_m, float width_m) {
   float level = max(0.0, log2(0.31 * width_m * float(textureSize(foam_pattern, 0).x) / water.foam_tile_m));
   return 0.6 * vec2(foam_moments(place, level).x, foam_moments(0.5 - place.yx, level).x);
 }
+
+#if HAS_SHOALS && SHOWS_BENEATH
+// Foam that the swash carries over a place of the bed: a front, and lace that thins out behind it until the next one comes.
+float swash_foam(vec3 bed_m, vec2 label_shift_m) {
+  const int steps = 6;  // of a period
+  vec2 label_m = bed_m.xz + label_shift_m;
+  float bed_height_m = bed_m.y + view.eye_height_m + earth_drop_m(label_m);
+  bool is_shore = abs(bed_height_m) < 1.5 * waves.swash_reach_m;
+  int wave_count = is_shore ? SWASH_WAVES : 0, step_count = is_shore ? steps : 0;
+  float step_s = waves.swash_period_s / float(steps);
+  float above_m = swash_level_m(label_m, 0.0, wave_count) - bed_height_m, since = 1.0;
+  for (int step = 1; step <= step_count; ++step) {
+    float before_m = swash_level_m(label_m, float(step) * step_s, wave_count) - bed_height_m;
+    if (since == 1.0 && before_m < 0.0) since = (float(step - 1) + above_m / max(above_m - before_m, 1e-6)) / float(steps);
+    above_m = max(before_m, 0.0);
+  }
+  float low = 1.0 - smoothstep(0.6, 1.5, -bed_height_m / max(waves.swash_reach_m, 1e-6));
+  return (is_shore ? low : 0.0) * smoothstep(0.02, 0.25, waves.swash_reach_m) *
+         (0.5 * exp(-since / 0.07) + 0.38 * exp(-since / 0.3));
+}
+#endif
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -180,8 +208,10 @@ void main() {
   vec3 surface_m = ray * distance_m;
   float sun_level_klx = dot(shaded_sun_klx, vec3(1.0)) * max(water.sun_direction.y, 0.0);
   float sun_part = sun_level_klx / max(sun_level_klx + dot(water.sky_klx, vec3(1.0)), 1e-6);
+  ShownGround ground = shown_ground_at(clip);
   Lit lit = Lit(label_m - surface_m.xz, width_m, sun_part, shares.cascades);
-  water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)), lit,
+  water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)), lit, ground,
+                               wet_sand_albedo / pi * (water.sky_klx + shaded_sun_klx * max(water.sun_direction.y, 0.0)),
                                water.water_of_sky_kcdpm2 + sun_share * water.water_of_sun_kcdpm2);
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
@@ -195,17 +225,31 @@ void main() {
   vec3 seen_light = 0.5 * (low.all + high.all);
   seen_light += shaded_sun_klx * sun_glitter(facets, seen, v, water.sun_direction, water.sun_radius_rad);
 
+  float open = 1.0 - floor(0.5 * strain.w) / float(surf_foam_steps);  // what foam of the shore leaves
+#if HAS_SHOALS && SHOWS_BENEATH
+  if (ground.place.w > 0.0) open *= 1.0 - swash_foam(ground.place.xyz, lit.label_shift_m);
+#endif
+  bare *= open;
   float coverage = 1.0 - bare * bare_of_wakes(label_m, width_m);
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (water.sky_klx + shaded_sun_klx * max(dot(normal, water.sun_direction), 0.0));
+  // Thick foam is lumpy.
+  foam_light *= 1.0 + 0.16 * (1.0 - open) * foam_value(label_m, width_m);
   vec3 surface = mix(seen_light - mirrored, foam_light, foam);
 
   mirrored_share *= 1.0 - foam;
   light = vec4((1.0 - mirrored_share) * through_air(surface / max(1.0 - mirrored_share, 1e-3), ray, distance_m) +
                    (1.0 - foam) * mirrored, 1.0);
+#if SHOWS_BENEATH
+  if (ground.place.w > 0.0) {
+    // The edge runs ahead and stays behind by the grain of the sand.
+    float drop_m = surface_m.y - ground.place.y - 0.005 * max(foam_value(3.7 * label_m, 3.7 * width_m) + 1.0, 0.0);
+    light.rgb = mix(ground.light, light.rgb, water_share(drop_m, distance_m));
+  }
+#endif
 #if WATER_SHOW != 0
   light.rgb = debug_light(ray.y * distance_m + view.eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m,
-                          label_m, floor(strain.w));
+                          label_m, mod(floor(strain.w), 2.0));
 #endif
 }

@@ -8,6 +8,7 @@ out vec3 position_m;         // relative to the eye
 out vec2 gerstner_slope;     // dh/dx, dh/dz at labels
 out vec3 gerstner_gradient;  // d dx/dx, d dx/dz, d dz/dz
 out float gerstner_loss;     // share of the Gerstner waves' mean square slope that the grid is too coarse to draw
+out float surf_foam;          // coverage by foam of waves that break on the shore
 out vec2 grid_place;         // column and row
 
 void main() {
@@ -19,7 +20,9 @@ void main() {
   position_m = place.xyz;
   gerstner_slope = facet.xy;
   gerstner_loss = facet.z;
-  gerstner_gradient = texelFetch(strain_of, vertex, 0).xyz;
+  vec4 strain = texelFetch(strain_of, vertex, 0);
+  gerstner_gradient = strain.xyz;
+  surf_foam = strain.w;
   grid_place = vec2(vertex);
   gl_Position = grid.clip_from_eye * vec4(position_m, 1.0);
 }

@@ -23,6 +23,19 @@ void upload(const ocean::DepthMap& map) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+void set_swash(const world::World& world, glm::dvec2 eye_m, glsl::WaveUniforms& waves) {
+  const SwashParams swash = world.swash()->at(eye_m.x, eye_m.y, world.time_s());
+  waves.swash_setup_m = swash.setup_m;
+  waves.swash_reach_m = swash.reach_m;
+  waves.swash_period_s = swash.period_s;
+  for (int i = 0; i < SWASH_WAVES; ++i) {
+    waves.swash_waves[i] = {swash.kx_radpm[i], swash.kz_radpm[i], swash.amplitude_m[i], swash.phase_rad[i]};
+    waves.swash_omegas[i / 4][i % 4] = swash.omega_radps[i];
+  }
+  const ocean::OpenSea& sea = world.swash()->sea();
+  waves.surf = {std::cos(sea.direction_rad), std::sin(sea.direction_rad), sea.wavenumber_radpm, sea.height_m};
+}
+
 constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, wake_unit = 3, shoal_unit = 4;
 
 }  // namespace
@@ -119,6 +132,7 @@ glsl::WaveUniforms WaterMaps::waves(const world::World& world, glm::dvec2 eye_m)
     }
   }
   shoals_.place(eye_m, waves);
+  if (world.swash()) set_swash(world, eye_m, waves);
   return waves;
 }
 

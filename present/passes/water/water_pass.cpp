@@ -23,7 +23,9 @@ namespace {
 
 constexpr int water_environment_unit = WaterMaps::first_free_unit, pattern_unit = water_environment_unit + 1,
               shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1,
-              first_view_unit = first_surface_unit + 4;
+              first_view_unit = first_surface_unit + 3,
+              ground_unit = first_view_unit + WaterViews::unit_count;
+static_assert(ground_unit < 16, "OpenGL 3.3 promises no more units");
 static_assert(glsl::most_cascades == ocean::most_cascades &&
               1 << (glsl::most_levels - 1) == ocean::largest_size);
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
@@ -103,6 +105,7 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
       block_("Water", pass_binding),
       no_vertices_(GlVertexArray::make()),
       foam_pattern_(foam_texture()),
+      ground_(screen_program("water/water_ground.frag")),
       depth_(screen_program("water/water_depth.frag")),
       mask_(screen_program("water/water_mask.frag")),
       masked_(GlFramebuffer::make()) {}
@@ -137,6 +140,19 @@ void WaterPass::bind_surface(const ShaderProgram& program) const {
   for (const auto& [name, texture] : textures) {
     bind_sampler(program, name, unit++, texture);
   }
+}
+
+void WaterPass::keep_ground(const RenderTarget& target) {
+  constexpr int light_unit = 0, depth_unit = 1;
+  if (ground_target_.width() != target.width() || ground_target_.height() != target.height()) {
+    ground_target_ = RenderTarget(target.width(), target.height(), GL_RGBA32F, RenderTarget::Depth::none);
+  }
+  ground_target_.bind();
+  glBindVertexArray(no_vertices_.name());
+  ground_.use();
+  bind_sampler(ground_, "shown_light", light_unit, target.texture());
+  bind_sampler(ground_, "shown_depth", depth_unit, target.depth_texture());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void WaterPass::draw_mask(const RenderTarget& target) {
@@ -188,6 +204,7 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return true;
   views_.draw(world, request, share_of(detail_.views_px, quality.views_share, least_views_px), dry, transfer);
   if (!request.is_wanted()) return false;
+  if (views_.has_beneath()) keep_ground(target);
   draw_mask(target);
   const ShaderProgram& program = programs_.with({.waves = wave_features(world, surface_.rings()),
                                                  .taps = detail_.taps,
@@ -214,6 +231,7 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   dry.cloudy_sky.bind(water_environment_unit);
   dry.shadows.bind(program, shadow_unit);
   views_.bind(program, first_view_unit);
+  bind_sampler(program, "shown_ground", ground_unit, views_.has_beneath() ? ground_target_.texture() : 0);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
 
   // On the pixels that show water alone: those of the mask.

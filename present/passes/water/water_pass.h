@@ -61,6 +61,8 @@ class WaterPass {
   static ShaderProgram program_for(const Features& features);
 
   void bind_surface(const ShaderProgram& program) const;
+  /// Keeps what a target shows before the water, at its own pixels.
+  void keep_ground(const RenderTarget& target);
   /// Puts the water's depth into a target, and 1 into the mask's depth for each pixel that shows water.
   void draw_mask(const RenderTarget& target);
   /// A picture of this many rows.
@@ -74,8 +76,8 @@ class WaterPass {
   UniformBlock<glsl::ViewUniforms, glsl::WaveUniforms, glsl::WaterUniforms> block_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;
-  ShaderProgram depth_, mask_;
-  RenderTarget mask_target_;
+  ShaderProgram ground_, depth_, mask_;
+  RenderTarget ground_target_, mask_target_;
   GlFramebuffer masked_;  // a picture's light with the mask's depth
 };
 

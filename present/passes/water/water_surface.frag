@@ -5,11 +5,13 @@ in vec3 position_m;
 in vec2 gerstner_slope;
 in vec3 gerstner_gradient;
 in float gerstner_loss;
+in float surf_foam;
 in vec2 grid_place;
 
 layout(location = 0) out vec4 place;   // label x and z, the footprint's long side x and z, all in m
 layout(location = 1) out vec4 facet;   // Gerstner waves' dh/dx, dh/dz; distance m, the footprint's short side m
-layout(location = 2) out vec4 strain;  // Gerstner waves' d dx/dx, d dx/dz, d dz/dz; their loss, and 0 or 1 as cells take turns
+layout(location = 2) out vec4 strain;  // Gerstner waves' d dx/dx, d dx/dz, d dz/dz; their loss, 0 or 1 as cells take turns, and
+                                       // twice 0 ... surf_foam_steps: the coverage by foam of breakers
 
 void main() {
   // The pixel's footprint on the labels: long in the direction of sight.
@@ -19,6 +21,7 @@ void main() {
   place = vec4(label_m, long_m);
   facet = vec4(gerstner_slope, length(position_m), short_m);
   float turn = mod(floor(grid_place.x) + floor(grid_place.y), 2.0);
-  strain = vec4(gerstner_gradient, turn + clamp(gerstner_loss, 0.0, 0.999));
+  float foam = 2.0 * floor(float(surf_foam_steps) * clamp(surf_foam, 0.0, 1.0) + 0.5);
+  strain = vec4(gerstner_gradient, foam + turn + clamp(gerstner_loss, 0.0, 0.999));
   if (is_in_hull(position_m)) discard;
 }

@@ -5,6 +5,7 @@
 
 #include "kernels/shared/gerstner_params.h"
 #include "kernels/shared/shoal_params.h"
+#include "kernels/shared/swash_params.h"
 #include "present/gl/glsl_types.h"
 
 namespace offing::present::glsl {
@@ -14,6 +15,7 @@ const int most_cascades = 4;
 const int most_wakes = 16;
 const int most_rings = 64;
 const int most_hulls = 16;
+const int surf_foam_steps = 1000;  // as finely as a pixel keeps foam of breakers
 const int most_levels = 13;  // of the mipmap of a cascade's maps, which have at most 4096 samples a side
 
 struct WaveUniforms {
@@ -24,6 +26,12 @@ struct WaveUniforms {
   vec4 wake_first[most_wakes];  // column and row of the map that hold that sample, 0, 0
   vec4 shoal_place;             // the eye's place in posts from the first, column and row; posts a metre
   float shoal_deepest_m;        // below it the sea is open
+  float swash_setup_m, swash_reach_m,
+      swash_period_s;                  // SwashParams of kernels/shared/swash_params.h, about the eye
+  vec4 swash_waves[SWASH_WAVES];       // wave vector x and z in rad/m, amplitude m, phase rad
+  vec4 swash_omegas[SWASH_WAVES / 4];  // rad/s, of four waves each
+  // Of the open sea: direction of travel x and z, mean wavenumber rad/m, significant height m.
+  vec4 surf;
 };
 
 struct RingUniforms {
@@ -58,24 +66,25 @@ struct SurfaceUniforms {
 struct WaterUniforms {
   // Covariance xx, xz, zz that each mip level of a cascade hides.
   vec4 hidden_slopes[most_cascades * most_levels];
-  // How longer waves gather the foam of each cascade (host/ocean/surface/foam_onset.h); factor 0: it has none.
+  // How longer waves gather the foam of each cascade (host/ocean/surface/foam_onset.h); factor 0: it has
+  // none.
   vec4 foam_factor;
   vec4 foam_steepness;
   vec4 foam_variance;  // of the compression by longer waves
-  vec3 ripples;  // covariance of the slopes that no map has
+  vec3 ripples;        // covariance of the slopes that no map has
   int level_count;
   vec3 gerstner_slopes;  // covariance of the slopes of all Gerstner waves
   float foam_tile_m;     // side of the foam's tile
   vec3 sun_direction;
   float sun_radius_rad;
-  vec3 sun_klx;              // on a surface that faces the sun
-  vec3 sky_klx;              // on a level surface, by the sky alone
-  float views_margin;        // width of the pictures of WaterViews over that of the water's
-  vec3 water_of_sky_kcdpm2;  // light from below the surface that came from the sky
-  float image_has_clouds;    // 1: the picture of what is mirrored has clouds, 0: the sky's map alone
-  vec3 water_of_sun_kcdpm2;  // and from the sun, where no cloud shades it
-  float debug_height_m;      // height that is drawn fully red, its negative fully blue
-  vec3 attenuation_perm;     // of light in the water
+  vec3 sun_klx;                // on a surface that faces the sun
+  vec3 sky_klx;                // on a level surface, by the sky alone
+  float views_margin;          // width of the pictures of WaterViews over that of the water's
+  vec3 water_of_sky_kcdpm2;    // light from below the surface that came from the sky
+  float image_has_clouds;      // 1: the picture of what is mirrored has clouds, 0: the sky's map alone
+  vec3 water_of_sun_kcdpm2;    // and from the sun, where no cloud shades it
+  float debug_height_m;        // height that is drawn fully red, its negative fully blue
+  vec3 attenuation_perm;       // of light in the water
   float gerstner_compression;  // variance of that by Gerstner waves
   vec2 foam_place;             // the eye's place on the foam's tile
   // Of a larger tile that lies along the wind: the eye's place, and how far a metre of x and of z goes on it.

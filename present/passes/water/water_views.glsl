@@ -5,6 +5,7 @@
 // MIRRORS_THINGS, what has a depth; SHOWS_BENEATH.
 uniform sampler2D mirrored_light, mirrored_depth;  // premultiplied kcd/m2 with coverage; reversed depth
 uniform sampler2D beneath_light, beneath_depth;
+uniform sampler2D shown_ground;  // water_ground.frag: at the picture's own pixels, but without what deep water hides
 
 // A bed's light spreads as it leaves the water: 1 / n^2, less what the surface turns back.
 const float leaving_share = 0.54;
@@ -106,11 +107,47 @@ vec2 beneath_uv(vec3 clip_place) {
   return 0.5 + 0.5 / water.views_margin * clip_place.xy;
 }
 
-// A place beneath the surface, and whether there is one.
+// A place beneath the surface, and whether there is one: between the places of four texels, as far as they are of what
+// the nearest shows.
 vec4 beneath_at(vec3 clip_place) {
-  float depth = textureLod(beneath_depth, beneath_uv(clip_place), 0.0).r;
-  if (depth <= 0.0) return vec4(0.0);
-  return vec4(place_along(clip_place, view.near_m / depth), 1.0);
+  vec2 size = vec2(textureSize(beneath_depth, 0)), point = beneath_uv(clip_place) * size - 0.5;
+  ivec2 corner = ivec2(floor(point)), last = ivec2(size) - 1;
+  vec2 share = point - floor(point);
+  float nearest = texelFetch(beneath_depth, clamp(ivec2(floor(point + 0.5)), ivec2(0), last), 0).r;
+  if (nearest <= 0.0) return vec4(0.0);
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 step = ivec2(i & 1, i >> 1), texel = clamp(corner + step, ivec2(0), last);
+    float depth = texelFetch(beneath_depth, texel, 0).r;
+    float weight = (step.x == 1 ? share.x : 1.0 - share.x) * (step.y == 1 ? share.y : 1.0 - share.y);
+    if (abs(depth - nearest) > 0.3 * nearest) continue;
+    vec2 clip_texel = water.views_margin * (2.0 * (vec2(texel) + 0.5) / size - 1.0);
+    sum += weight * vec4(place_along(vec3(clip_texel, 0.0), view.near_m / depth), 1.0);
+  }
+  return vec4(sum.xyz / sum.w, 1.0);
+}
+
+// Ground that the picture shows at a pixel before its water: light, and the place if w is 1.
+struct ShownGround {
+  vec3 light;
+  vec4 place;
+};
+
+ShownGround shown_ground_at(vec2 clip) {
+  vec2 size = vec2(textureSize(shown_ground, 0));
+  vec4 texel = texelFetch(shown_ground, ivec2(clamp(0.5 + 0.5 * clip, vec2(0.0), vec2(0.9999)) * size), 0);
+  // At the middle of the pixel, whose ray found it.
+  vec2 middle = 2.0 * (floor((0.5 + 0.5 * clip) * size) + 0.5) / size - 1.0;
+  bool is_there = texel.w > 0.0 && all(lessThan(abs(clip), vec2(1.0)));
+  return ShownGround(texel.rgb, vec4(place_along(vec3(middle, 0.0), view.near_m / max(texel.w, 1e-9)), is_there ? 1.0 : 0.0));
+}
+
+// How much of its own light water sends that the bed behind a pixel lies so far below: none at the waterline. From a
+// film of this depth on it is whole, over a pixel that is as high from the depth that it spans.
+const float film_m = 0.03;
+float water_share(float drop_m, float distance_m) {
+  float pixel_m = 2.0 * length(view.ray_up) / float(textureSize(shown_ground, 0).y) * distance_m;
+  return smoothstep(0.0, max(film_m, 0.75 * pixel_m), drop_m);
 }
 
 // How the sun lights what is beneath: labels of places less the places themselves, the width of a pixel's footprint,
@@ -121,26 +158,40 @@ struct Lit {
   vec4 cascade_shares;
 };
 
-// Light that comes up through the surface toward v, of what is in the water and of the water itself.
-vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm2) {
+// Light that comes up through the surface toward v, of what is in the water and of the water itself. `ground` is what the
+// picture shows behind it; bed_kcdpm2 is the light of a level bed of wet sand.
+vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, ShownGround ground, vec3 bed_kcdpm2, vec3 deep_kcdpm2) {
 #if SHOWS_BENEATH
   vec3 clip_place = clip_of(surface_m);
   vec4 straight = beneath_at(clip_place);
-  if (straight.w == 0.0) return deep_kcdpm2;
-  // As deep as straight behind the surface, along the broken ray.
+  // Ground as sharp as the picture, but for things in the water before it.
+  bool is_sharp = ground.place.w > 0.0 && (straight.w == 0.0 || length(straight.xyz) > 0.7 * length(ground.place.xyz));
+  if (is_sharp) straight = ground.place;
+  // As deep below the surface as the bed, or what stands before it, along the broken ray.
   vec3 broken = refract(-v, normal, 1.0 / water_index);
-  float down_m = max(surface_m.y - straight.y, 0.0);
+  float down_m = max(still_depth_m(surface_m.xz + lit.label_shift_m) + surface_m.y + view.eye_height_m, 0.0);
+  if (straight.w > 0.0) down_m = min(down_m, max(surface_m.y - straight.y, 0.0));
+  if (down_m > 1.0e6) return deep_kcdpm2;
   vec3 shifted_place = clip_of(surface_m + broken * (down_m / max(-broken.y, 0.3)));
-  vec4 place = beneath_at(shifted_place);
+  ShownGround shifted_ground = shown_ground_at(shifted_place.xy);
+  is_sharp = is_sharp && shifted_ground.place.w > 0.0 && shifted_ground.place.y < surface_m.y;
+  vec4 place = is_sharp ? shifted_ground.place : beneath_at(shifted_place);
   // Not what stands out of the water, or before it.
   bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(water.views_margin)));
+  vec4 seen = vec4(bed_kcdpm2, 1.0);
   if (is_beneath) {
-    clip_place = shifted_place;
-  } else {
+    seen = is_sharp ? vec4(shifted_ground.light, 1.0) : textureLod(beneath_light, beneath_uv(shifted_place), 0.0);
+  } else if (HAS_SHOALS == 1 && !(straight.w > 0.0 && down_m == surface_m.y - straight.y)) {
+    // Shallows that the pictures do not show, far away or beside them, are sand.
+    place = vec4(surface_m + broken * (down_m / max(-broken.y, 0.3)), 1.0);
+  } else if (straight.w > 0.0) {
     place = straight;
+    is_sharp = ground.place.w > 0.0 && straight == ground.place;
+    seen = is_sharp ? vec4(ground.light, 1.0) : textureLod(beneath_light, beneath_uv(clip_place), 0.0);
+  } else {
+    return deep_kcdpm2;
   }
   down_m = max(surface_m.y - place.y, 0.0);
-  vec4 seen = textureLod(beneath_light, beneath_uv(clip_place), 0.0);
   // Light has come down to it, and goes up to the eye.
   vec3 left = exp(-water.attenuation_perm * (down_m + distance(place.xyz, surface_m))) * seen.a;
   float leaving = mix(leaving_share, 1.0, exp(-4.0 * down_m));

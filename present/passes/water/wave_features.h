@@ -26,7 +26,8 @@ WaveFeatures wave_features(const world::World& world, const RingWaves& rings);
 /// The structs of the uniforms of water, and a block of this name with these members.
 std::vector<ShaderPart> water_uniforms(const std::string& block, const std::string& members);
 
-/// The shaders of waves, compiled for them: water.glsl, rings.glsl, wakes.glsl, shoals.glsl. Put them
+/// The shaders of waves, compiled for them: water.glsl, rings.glsl, wakes.glsl, shoals.glsl,
+/// swash.glsl. Put them
 /// after water_uniforms() with a member `WaveUniforms waves`.
 std::vector<ShaderPart> wave_shaders(const WaveFeatures& features);
 

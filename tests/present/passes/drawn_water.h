@@ -15,7 +15,8 @@ struct DrawnWater {
   std::size_t count = 0;
   double height_squares_m2 = 0.0, off_squares_m2 = 0.0;
   std::size_t land_count = 0;  ///< of them, where ground stands above the still water
-  double over_land_m = 0.0;    ///< how high water is drawn there at most, whether land hides it or not
+  double over_land_m =
+      0.0;  ///< how far water is drawn there from the edge of the swash at most, if land hides it or not
 
   DrawnWater& operator+=(const DrawnWater& other) {
     count += other.count;

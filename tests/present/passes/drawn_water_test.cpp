@@ -162,7 +162,8 @@ TEST_F(DrawnWaterTest, OverABeachIsWhereQueriesSay) {
 
 // And from farther away, the waterline in sight. Fails too if waves are drawn over land: but for the cells
 // that the waterline crosses, whose vertices in the water stand in 0.28 m at most, 0.25 m high at six
-// deviations, the water there is level. Measured below 1 mm (and 0.01 % of Hs off queries), gate 0.1 m.
+// deviations, the water there is that of the swash (Swash::level_m()). Gate 0.1 m. The swash is taken at
+// places and not at their labels.
 TEST_F(DrawnWaterTest, OfABeachFromAfarIsWhereQueriesSay) {
   constexpr double largest_cell_m = 2.0;
   camera_.pitch_rad = -0.5;

@@ -34,6 +34,24 @@ class StillSea : public GlTest {
     return light_of_last(text, {camera}, views_px, quality, present::SkyRefresh::whole);
   }
 
+  /// Whether a world has the sea of its scene.
+  enum class Sea { as_given, none };
+
+  /// The same of a world with this ground, at a time.
+  std::vector<float> light_on(const world::TerrainParameters& terrain, const std::string& text,
+                              const Camera& camera, int views_px, Sea sea = Sea::as_given,
+                              double time_s = 0.0) {
+    const scene::Scene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
+    world::WorldParameters parameters = scene::prepare_world(scene, scene::Warnings::left_out);
+    parameters.terrain = terrain;
+    if (sea == Sea::none) parameters.has_sea = false;
+    world::World world(*device_, parameters);
+    present::Frame frame(*context_, *device_, {.water = {{64, 64}, 1, views_px}, .transfer = {}});
+    world.at(time_s, camera.eye_m.y);
+    frame.draw(world, {.camera = camera, .exposure = 0.1, .debug = shown_});
+    return frame.light().read();
+  }
+
   /// The same of the last of several pictures in a row.
   std::vector<float> light_of_last(const std::string& text, const std::vector<Camera>& cameras, int views_px,
                                    const present::Quality& quality, present::SkyRefresh sky) {

@@ -1,0 +1,136 @@
+// Where water ends on a beach: how it thins out.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/present/passes/still_sea.h"
+
+namespace offing::present {
+namespace {
+
+class ShoreTest : public test::StillSea {
+ protected:
+  /// A beach that rises by 1 : 10 toward the south; its waterline is at z = 0.
+  static world::TerrainParameters beach() {
+    HeightMap map;
+    map.columns = map.rows = 65;
+    map.spacing_x_m = map.spacing_z_m = 5.0;
+    for (int row = 0; row < map.rows; ++row) {
+      map.heights_m.insert(map.heights_m.end(), 65, static_cast<float>(0.1 * (5.0 * row - 160.0)));
+    }
+    world::TerrainParameters terrain;
+    terrain.map = std::make_shared<const HeightMap>(std::move(map));
+    terrain.origin_x_m = terrain.origin_z_m = -160.0;
+    terrain.lines.sea_level_m = -1e6;
+    terrain.lines.beach_line_m = 1e6;
+    return terrain;
+  }
+
+  /// Stands 9 m above the waterline, 1.7 m high, and looks at it.
+  static Camera on_the_beach() {
+    Camera camera = square_camera({0.0, 2.6, 9.0});
+    camera.pitch_rad = -std::atan2(2.6, 9.0);
+    camera.vertical_field_of_view_rad = 0.1;
+    return camera;
+  }
+};
+
+// From dry sand over wet sand and a film of water to water, over some 6 cm of height, rows of 0.3 cm differ
+// by little, so that no line is seen: logarithms of blue light, of sand that is wet everywhere. Limit 0.2.
+// Before, the first row of water differed by 0.39.
+TEST_F(ShoreTest, WaterThinsOutWithoutAStair) {
+  Camera camera = on_the_beach();
+  const std::vector<float> wet = light_on(beach(), still_sea, camera, side_px);
+  const std::vector<float> dry = light_on(beach(), "[ocean]\nsize = 32\n", camera, side_px, Sea::none);
+  std::vector<double> change;  // of blue, over that of the sand, from the land on
+  for (int row = 0; row < side_px; ++row) {
+    double sum = 0.0;
+    for (int column = 0; column < side_px; ++column)
+      sum += std::log(pixel(wet, column, row)[2] / pixel(dry, column, row)[2]);
+    change.push_back(sum / side_px);
+  }
+  double largest = 0.0;
+  for (std::size_t row = 1; row < change.size(); ++row)
+    largest = std::max(largest, std::abs(change[row] - change[row - 1]));
+  RecordProperty("largest_step", std::to_string(largest));
+  EXPECT_NEAR(change[0], std::log(1.0 / 0.6), 0.05) << "no dry sand in sight";
+  EXPECT_LT(change[side_px - 1], change[0] - 0.1) << "no water in sight";
+  EXPECT_LT(largest, 0.2);
+}
+
+// A fresh breeze onto the beach, 1.2 m high; its whitecaps are left out.
+constexpr const char* breeze =
+    "[wind]\nspeed_mps = 9\ndirection_deg = 90\n[ocean]\nsize = 64\nfetch_m = 50e3\n"
+    "[ocean.foam]\nonset_jacobian = -10\n";
+
+// Fails if waves that break on the beach have no foam, or those that do not have some: the coverage from
+// above, over 0.3 to 1.3 m of water, where the largest waves could be 0.2 to 1 m high, at four moments; over
+// 13 m, and on a sea without waves.
+TEST_F(ShoreTest, WavesThatBreakHaveFoam) {
+  shown_ = WaterShow::foam;
+  const auto greatest_and_mean = [&](const std::string& sea, double z_m, double time_s) {
+    Camera camera = square_camera({0.0, 30.0, z_m});
+    camera.pitch_rad = -0.5 * std::numbers::pi;
+    camera.vertical_field_of_view_rad = 2.0 * std::atan(5.0 / 30.0);
+    const std::vector<float> seen = light_on(beach(), sea, camera, side_px, Sea::as_given, time_s);
+    double greatest = 0.0, mean = 0.0;
+    for (std::size_t i = 0; i < seen.size(); i += 4) {
+      const double coverage = static_cast<double>(seen[i]) / 6.0;  // white is 10 kcd/m2, shown at 0.6 of it
+      greatest = std::max(greatest, coverage);
+      mean += 4.0 * coverage / static_cast<double>(seen.size());
+    }
+    return std::pair{greatest, mean};
+  };
+  double greatest = 0.0, mean = 0.0;
+  for (const double time_s : {0.0, 1.3, 2.6, 3.9}) {
+    const auto then = greatest_and_mean(breeze, -8.0, time_s);
+    greatest = std::max(greatest, then.first);
+    mean += 0.25 * then.second;
+  }
+  RecordProperty("greatest_and_mean", std::to_string(greatest) + " " + std::to_string(mean));
+  EXPECT_GT(greatest, 0.5);
+  EXPECT_GT(mean, 0.015);  // found 0.026
+  EXPECT_LT(greatest_and_mean(breeze, -130.0, 0.0).first, 1e-3);
+  EXPECT_LT(greatest_and_mean(still_sea, -8.0, 0.0).first, 1e-3);
+}
+
+// Against the same ground all wet, as it is without a swash: sand is as dark within the reach of the swash,
+// and twice the reach up it has its whole albedo, 1 / 0.6 times as much. Gates 10 %: a film mirrors some of
+// the sky.
+TEST_F(ShoreTest, SandIsWetAsFarAsTheSwashReaches) {
+  const scene::Scene scene = scene::parse_scene("version = 1\n" + std::string(breeze), "a.toml", "");
+  world::WorldParameters parameters = scene::prepare_world(scene, scene::Warnings::left_out);
+  parameters.terrain = beach();
+  const world::World world(ocl::Device::open(), parameters);
+  ASSERT_TRUE(world.swash());
+  const double reach_m = world.swash()->reach_m();
+  constexpr double eye_m = 60.0, middle_m = 14.0;
+  Camera camera = square_camera({0.0, eye_m, middle_m});
+  camera.pitch_rad = -0.5 * std::numbers::pi;
+  camera.vertical_field_of_view_rad = 2.0 * std::atan(14.0 / eye_m);
+  const std::vector<float> washed = light_on(beach(), breeze, camera, side_px);
+  std::string no_swash = breeze;
+  no_swash.insert(no_swash.find("size"), "shoals = \"off\"\n");
+  const std::vector<float> wet = light_on(beach(), no_swash, camera, side_px);
+  const auto brighter = [&](double height_m) {
+    // The beach rises toward the bottom of the picture, nearer to the eye.
+    const double across = (10.0 * height_m - middle_m) / (eye_m - height_m) * eye_m / 14.0;
+    const int row = static_cast<int>((1.0 - across) * side_px / 2);
+    double sum = 0.0;
+    for (int column = 0; column < side_px; ++column)
+      sum += static_cast<double>(pixel(washed, column, row)[1] / pixel(wet, column, row)[1]) / side_px;
+    return sum;
+  };
+  ASSERT_GT(reach_m, 0.5);
+  ASSERT_LT(2.0 * reach_m, 2.6);
+  EXPECT_NEAR(brighter(0.6 * reach_m), 1.0, 0.1);
+  EXPECT_NEAR(brighter(2.0 * reach_m), 1.0 / 0.6, 0.1 / 0.6);
+}
+
+}  // namespace
+}  // namespace offing::present
