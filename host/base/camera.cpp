@@ -35,6 +35,11 @@ void require_valid(const Camera& camera) {
   require(camera.height_px >= 1, "height_px", camera.height_px, "at least 1");
 }
 
+Camera above_level(Camera camera, double level_m) {
+  camera.eye_m.y -= level_m;
+  return camera;
+}
+
 Camera mirrored(const Camera& camera, double plane_m) {
   Camera image = camera;
   image.eye_m.y = 2.0 * plane_m - camera.eye_m.y;

@@ -23,6 +23,9 @@ struct Camera {
 /// plane, its picture upside down, so that the clip coordinates (x, y) of a direction become (x, -y).
 Camera mirrored(const Camera& camera, double plane_m);
 
+/// The same camera with its height counted from this level.
+Camera above_level(Camera camera, double level_m);
+
 /// Unit vectors along the picture's right and up and along the line of sight.
 struct CameraBasis {
   glm::dvec3 right, up, forward;

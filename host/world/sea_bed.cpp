@@ -34,7 +34,7 @@ float highest_around_m(const HeightMap& map, int column, int row, int stride_x, 
   return highest_m;
 }
 
-ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_m) {
+ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_m, double sea_level_m) {
   const int stride_x = stride_of(map.columns), stride_z = stride_of(map.rows);
   ocean::DepthMap bed{.columns = kept_posts(map.columns, stride_x),
                       .rows = kept_posts(map.rows, stride_z),
@@ -47,7 +47,7 @@ ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_
   for (int row = 0; row < bed.rows; ++row) {
     for (int column = 0; column < bed.columns; ++column) {
       const float highest_m = highest_around_m(map, column * stride_x, row * stride_z, stride_x, stride_z);
-      bed.depths_m.push_back(std::max(-highest_m, driest_m));
+      bed.depths_m.push_back(std::max(static_cast<float>(sea_level_m - highest_m), driest_m));
     }
   }
   ocean::limit_slopes(bed);
@@ -56,10 +56,10 @@ ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_
 
 }  // namespace
 
-ocean::DepthMap sea_bed(const TerrainParameters& terrain) {
-  if (terrain.map) return bed_of(*terrain.map, terrain.origin_x_m, terrain.origin_z_m);
+ocean::DepthMap sea_bed(const TerrainParameters& terrain, double sea_level_m) {
+  if (terrain.map) return bed_of(*terrain.map, terrain.origin_x_m, terrain.origin_z_m, sea_level_m);
   const HeightMap overview = terrain::overview_of(terrain.tiles->map, terrain.tiles->read);
-  return bed_of(overview, terrain.origin_x_m, terrain.origin_z_m);
+  return bed_of(overview, terrain.origin_x_m, terrain.origin_z_m, sea_level_m);
 }
 
 double beach_slope(const ocean::DepthMap& bed) {

@@ -10,7 +10,7 @@ namespace offing::world {
 /// it is; of a map in tiles, the whole map as coarsely as its coarsest tiles have it. Land is no higher than
 /// the steepest bed falls between two posts; then slopes are limited (ocean::limit_slopes()). Throws what
 /// reading tiles throws.
-ocean::DepthMap sea_bed(const TerrainParameters& terrain);
+ocean::DepthMap sea_bed(const TerrainParameters& terrain, double sea_level_m = 0.0);
 
 /// The mean slope of a bed where the waterline crosses it, by cells; 0 where it does nowhere.
 double beach_slope(const ocean::DepthMap& bed);

@@ -13,23 +13,26 @@ CoverLines cover_lines(double latitude_deg) {
 }
 
 TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
-                           const CoverLines& lines) {
+                           const CoverLines& lines, double sea_level_m) {
   const auto narrow = [](double value) { return static_cast<float>(value); };
   // Of red, green and blue: the wavelengths of the sky that lie there.
   const sky::Spectrum& depth = atmosphere.rayleigh_optical_depth;
-  const double rayleigh_m = atmosphere.rayleigh_scale_height_m;
+  const double rayleigh_m = atmosphere.rayleigh_scale_height_m, aerosol_m = atmosphere.aerosol_scale_height_m;
+  // Kernels count heights from 0: there the air of a higher sea would be denser by so much.
+  const double rayleigh = std::exp(sea_level_m / rayleigh_m) / rayleigh_m;
   return {.sun_red_klx = narrow(light.sun_klx[0]),
           .sun_green_klx = narrow(light.sun_klx[1]),
           .sun_blue_klx = narrow(light.sun_klx[2]),
           .sky_red_klx = narrow(light.sky_klx[0]),
           .sky_green_klx = narrow(light.sky_klx[1]),
           .sky_blue_klx = narrow(light.sky_klx[2]),
-          .rayleigh_red_perm = narrow(depth[0] / rayleigh_m),
-          .rayleigh_green_perm = narrow(0.5 * (depth[1] + depth[2]) / rayleigh_m),
-          .rayleigh_blue_perm = narrow(depth[3] / rayleigh_m),
-          .aerosol_perm = narrow(atmosphere.aerosol_optical_depth / atmosphere.aerosol_scale_height_m),
+          .rayleigh_red_perm = narrow(depth[0] * rayleigh),
+          .rayleigh_green_perm = narrow(0.5 * (depth[1] + depth[2]) * rayleigh),
+          .rayleigh_blue_perm = narrow(depth[3] * rayleigh),
+          .aerosol_perm =
+              narrow(atmosphere.aerosol_optical_depth * std::exp(sea_level_m / aerosol_m) / aerosol_m),
           .rayleigh_scale_height_m = narrow(rayleigh_m),
-          .aerosol_scale_height_m = narrow(atmosphere.aerosol_scale_height_m),
+          .aerosol_scale_height_m = narrow(aerosol_m),
           .sea_level_m = narrow(lines.sea_level_m),
           .beach_line_m = narrow(lines.beach_line_m),
           .tree_line_m = narrow(lines.tree_line_m),

@@ -21,8 +21,9 @@ struct CoverLines {
 /// are off by up to 1 km.
 CoverLines cover_lines(double latitude_deg);
 
-/// The light at the eye as terrain kernels take it.
+/// The light at the eye as terrain kernels take it, with air that is as dense at `sea_level_m` as an
+/// atmosphere is at the sea.
 TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
-                           const CoverLines& lines);
+                           const CoverLines& lines, double sea_level_m = 0.0);
 
 }  // namespace offing::world

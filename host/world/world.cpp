@@ -78,6 +78,17 @@ void World::set_terrain(const std::optional<TerrainParameters>& terrain) {
   sky_altitude_m_.reset();
 }
 
+void World::set_sea_level(double level_m) {
+  if (level_m == parameters_.sea_level_m) return;
+  parameters_.sea_level_m = level_m;
+  bed_.reset();
+  make_shoals();
+  if (bodies_) bodies_->set_level(level_m);
+  move_meshes_with_bodies();
+  sky_altitude_m_.reset();
+  cloud_illumination_.clear();
+}
+
 void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
   if (clouds && clouds_) {
     clouds_->set(*clouds);
@@ -180,7 +191,8 @@ void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& li
   }
 }
 
-void World::look_at_sky(double eye_altitude_m) {
+void World::look_at_sky(double eye_height_m) {
+  const double eye_altitude_m = eye_height_m - parameters_.sea_level_m;
   // Fixed heights, so that a frame does not depend on those before it.
   const double steps = std::round(std::log(std::max(eye_altitude_m, 1.0)) / lag_.altitude_share);
   const double altitude_m = std::exp(steps * lag_.altitude_share);
@@ -188,13 +200,14 @@ void World::look_at_sky(double eye_altitude_m) {
   sky_.at(parameters_.sun, altitude_m);
   illuminance_ = sky_.read_illuminance();
   if (terrain_) {
-    terrain_light_ = terrain_light(illuminance_, parameters_.atmosphere, terrain_->parameters().lines);
+    terrain_light_ = terrain_light(illuminance_, parameters_.atmosphere, terrain_->parameters().lines,
+                                   parameters_.sea_level_m);
   }
   sky_altitude_m_ = altitude_m;
 }
 
-void World::at(double time_s, double eye_altitude_m) {
-  look_at_sky(eye_altitude_m);
+void World::at(double time_s, double eye_height_m) {
+  look_at_sky(eye_height_m);
   if (ocean_) {
     ocean_->at(time_s);
     ocean_->foam_map();
@@ -211,7 +224,8 @@ void World::light_clouds(double time_s) {
   const std::vector<clouds::CloudParameters>& all = parameters_.clouds->clouds;
   if (cloud_illumination_.empty()) {
     std::vector<double> altitudes_m;
-    for (const clouds::CloudParameters& cloud : all) altitudes_m.push_back(cloud.position_m.y);
+    for (const clouds::CloudParameters& cloud : all)
+      altitudes_m.push_back(cloud.position_m.y - parameters_.sea_level_m);
     cloud_illumination_ =
         cloud_illumination(*cloud_sky_, parameters_.atmosphere, parameters_.sun, altitudes_m);
   }
@@ -243,18 +257,18 @@ void World::see_clouds(const Camera& camera) {
 }
 
 void World::see_mirrored_clouds(const Camera& mirrored) {
-  if (clouds_) clouds_->see_mirrored(mirrored);
+  if (clouds_) clouds_->see_mirrored(mirrored, parameters_.sea_level_m);
 }
 
 void World::see_terrain(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
   if (!terrain_) return;
   terrain::SeaOverTerrain sea;
-  const double waves_m = reach().vertical_m;
+  const double waves_m = reach().vertical_m, level_m = parameters_.sea_level_m;
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
   // bends. Where the water is a film over it, it is seen as sharply as on land.
   constexpr double film_m = 0.3;
-  if (ocean_ && camera.eye_m.y > waves_m)
-    sea = {.below_m = -waves_m - film_m, .bend_perm = 0.5 / sea_radius_m};
+  if (ocean_ && camera.eye_m.y > level_m + waves_m)
+    sea = {.below_m = level_m - waves_m - film_m, .bend_perm = 0.5 / sea_radius_m};
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   terrain_->at(camera, sky_, {light_on_terrain(camera), shade ? &*shade : nullptr}, sampling, wait, sea);
 }
@@ -262,23 +276,27 @@ void World::see_terrain(const Camera& camera, const terrain::Sampling& sampling,
 void World::see_mirrored_terrain(const Camera& mirrored) {
   if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(mirrored);
-  terrain_->mirror_at(mirrored, sky_, {light_on_terrain(mirrored), shade ? &*shade : nullptr});
+  terrain_->mirror_at(mirrored, parameters_.sea_level_m, sky_,
+                      {light_on_terrain(mirrored), shade ? &*shade : nullptr});
 }
 
 void World::see_terrain_beneath(const Camera& camera) {
   if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
+  const double level_m = parameters_.sea_level_m;
   const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
   terrain_->beneath_at(camera, sky_, {light_on_terrain(camera), shade ? &*shade : nullptr},
-                       {.below_m = -reach().vertical_m - seen_m,
+                       {.below_m = level_m - reach().vertical_m - seen_m,
                         .bend_perm = 0.5 / sea_radius_m,
                         // Far above what a wave's foot shows of a beach: pixels there are coarse.
-                        .above_m = reach().vertical_m + seen_m});
+                        .above_m = level_m + reach().vertical_m + seen_m});
 }
 
 TerrainLight World::light_on_terrain(const Camera& camera) const {
   TerrainLight light = terrain_light_;
-  if (swash_) light.swash = swash_->at(camera.eye_m.x, camera.eye_m.z, time_s_);
+  // Kernels know the swash of a sea at height 0.
+  if (swash_ && parameters_.sea_level_m == 0.0)
+    light.swash = swash_->at(camera.eye_m.x, camera.eye_m.z, time_s_);
   return light;
 }
 

@@ -36,7 +36,8 @@ struct WorldParameters {
   bool has_sea = true;  ///< without one, all down to the wind says nothing
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
-  bool has_shoals = true;  ///< whether waves shoal over the ground, if there is any
+  double sea_level_m = 0.0;  ///< of the still sea, among the heights of all else; 0 without one
+  bool has_shoals = true;    ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
   ocean::Wind wind = {};  ///< over the ripples that the spectrum or its maps leave out
   ocean::WaterType water = ocean::WaterType::oceanic_1b;
@@ -75,8 +76,8 @@ class World {
   const WorldParameters& parameters() const { return parameters_; }
   double time_s() const { return time_s_; }
 
-  /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam, clouds.
-  void at(double time_s, double eye_altitude_m);
+  /// Enqueues the world of this time, as seen from this height: sky, sea, foam, clouds.
+  void at(double time_s, double eye_height_m);
   /// Where the eye is at the next at(): wakes may be about it.
   void set_eye(const ocean::WaterPoint& eye) { eye_ = eye; }
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
@@ -110,7 +111,8 @@ class World {
   void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {},
                   std::optional<double> first_s = {});
 
-  /// The water at points of the world by the last at(): Ocean::sample(). Throws what ocean() throws.
+  /// The water at points of the world by the last at(), its heights above sea_level_m: Ocean::sample().
+  /// Throws what ocean() throws.
   std::vector<ocean::WaterSample> sample(std::span<const ocean::WaterPoint> points,
                                          const ocean::WaterQuery& query = {}) {
     return ocean().sample(points, query);
@@ -152,6 +154,8 @@ class World {
   void set_sea(const WorldParameters& parameters);
   /// Changes the colour and the clearness of the water.
   void set_water(ocean::WaterType water) { parameters_.water = water; }
+  /// Raises or lowers the sea, with what floats on it.
+  void set_sea_level(double level_m);
   /// Changes the ground; other heights or another place make it anew. Throws what WorldTerrain throws.
   void set_terrain(const std::optional<TerrainParameters>& terrain);
   /// Changes the clouds: those whose parameters stay are kept. Throws what WorldClouds throws.
@@ -200,6 +204,8 @@ class World {
   std::vector<WorldMesh>& meshes() { return meshes_; }
   /// What lights the meshes for this eye: the lights in their order and, while it is up, the sun.
   highlights::Lighting lighting(const glm::dvec3& eye_m) const;
+  /// Of the still sea.
+  double sea_level_m() const { return parameters_.sea_level_m; }
   const sky::ClearSky& sky() const { return sky_; }
   /// Light at the eye, by the last at().
   const sky::Illuminance& illuminance() const { return illuminance_; }
@@ -223,9 +229,11 @@ class World {
   /// To the samples that are wanted.
   void fit_sea(const WorldParameters& parameters);
   void make_shoals();
-  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_}; }
+  BodySea body_sea() const {
+    return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_, parameters_.sea_level_m};
+  }
   void move_meshes_with_bodies();
-  void look_at_sky(double eye_altitude_m);
+  void look_at_sky(double eye_height_m);
   /// On the ground that this camera sees.
   TerrainLight light_on_terrain(const Camera& camera) const;
   std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;

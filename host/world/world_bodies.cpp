@@ -165,6 +165,7 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
     : device_(device),
       settings_(std::move(settings)),
       run_up_s_(whole_questions_s(run_up_s)),
+      level_m_(sea.level_m),
       bodies_(device, bodies_of(settings_, sea.spectrum.dispersion.gravity_mps2),
               {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2, .wind_mps = velocity_of(sea.wind)}),
       sea_(device, sea.spectrum, long_waves_of(sea.ocean, shortest_hull_m(settings_))),
@@ -186,6 +187,7 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
 void WorldBodies::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
   bodies_.set_wind(velocity_of(sea.wind));
+  level_m_ = sea.level_m;
   set_shoals(sea.shoals);
   tell_waves();
 }
@@ -286,12 +288,20 @@ void WorldBodies::reach(double time_s) {
   }
 }
 
+bodies::BodyPose WorldBodies::pose(std::size_t body, double time_s) const {
+  bodies::BodyPose pose = pose_on_sea(body, time_s);
+  pose.mass_centre_m.y += level_m_;
+  return pose;
+}
+
 std::function<highlights::RigidMotion(double)> WorldBodies::motion_of_hull(std::size_t body) const {
-  return [path = std::shared_ptr<const BodyPath>(path_), body,
+  return [path = std::shared_ptr<const BodyPath>(path_), body, level_m = level_m_,
           centre_m = settings_[body].body.mass_centre_m](double time_s) {
     const bodies::BodyPose pose = path->at(body, time_s);
     const glm::dmat3 turn = glm::mat3_cast(pose.turn);
-    return highlights::RigidMotion{.rotation = turn, .translation_m = pose.mass_centre_m - turn * centre_m};
+    return highlights::RigidMotion{
+        .rotation = turn,
+        .translation_m = pose.mass_centre_m + glm::dvec3(0.0, level_m, 0.0) - turn * centre_m};
   };
 }
 
@@ -304,13 +314,14 @@ double WorldBodies::settled_share(double time_s) const {
 
 void WorldBodies::press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const {
   for (std::size_t body = 0; body < size(); ++body) {
-    pressers_[body].press(pose(body, time_s), settled_share(time_s), grid, displaced);
+    pressers_[body].press(pose_on_sea(body, time_s), settled_share(time_s), grid, displaced);
   }
 }
 
 void WorldBodies::add_growth(double time_s, const WakeGrid& grid, ocl::Buffer<float>& growth) const {
   for (std::size_t body = 0; body < size(); ++body) {
-    const bodies::BodyPose now = pose(body, time_s), before = pose(body, time_s - growth_step_s);
+    const bodies::BodyPose now = pose_on_sea(body, time_s),
+                           before = pose_on_sea(body, time_s - growth_step_s);
     const glm::dvec2 speed_mps = glm::dvec2(now.velocity_mps.x, now.velocity_mps.z) - now.flow_mps;
     const double volume_rate_m3ps = (now.displaced_m3 - before.displaced_m3) / growth_step_s;
     // The difference over a way of a cell or more: a hull's edge that passes a sample of a cell is a jump.

@@ -78,6 +78,7 @@ struct BodySea {
   ocean::OceanParameters ocean;
   ocean::Wind wind = {};
   std::shared_ptr<const ocean::Shoals> shoals = {};
+  double level_m = 0.0;  ///< bodies count heights from it; those who ask get heights of the world
 };
 
 class WorldBodies;
@@ -104,6 +105,8 @@ class WorldBodies {
   void set_sea(const BodySea& sea);
   /// The same for its Gerstner waves alone. Throws what Ocean::set_gerstner_waves() throws.
   void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves);
+  /// The same for its level alone.
+  void set_level(double level_m) { level_m_ = level_m; }
   /// The same for its shoals alone.
   void set_shoals(std::shared_ptr<const ocean::Shoals> shoals);
 
@@ -124,7 +127,7 @@ class WorldBodies {
   /// The time at which the run-up begins.
   double begin_s() const { return path_->begin_s(); }
   /// At any time up to that of the last reach().
-  bodies::BodyPose pose(std::size_t body, double time_s) const { return path_->at(body, time_s); }
+  bodies::BodyPose pose(std::size_t body, double time_s) const;
   /// What acts on a body at any time up to that of the last reach(), between sub-steps 1/30 s apart; 0 where
   /// forces were not kept.
   BodyReport forces(std::size_t body, double time_s) const { return path_->report(body, time_s); }
@@ -147,6 +150,7 @@ class WorldBodies {
   void reset(double start_s);
   void follow_paths_before();
   double total_draught_m() const;
+  bodies::BodyPose pose_on_sea(std::size_t body, double time_s) const { return path_->at(body, time_s); }
   double settled_share(double time_s) const;
   void tell_waves();
   double lost_wave_share(std::size_t body, double time_s) const;
@@ -156,7 +160,7 @@ class WorldBodies {
   ocl::Device device_;
   std::vector<BodySettings> settings_;
   bool keeps_forces_ = false;
-  double run_up_s_, start_s_ = 0.0, draught_m_ = 0.0;
+  double run_up_s_, start_s_ = 0.0, draught_m_ = 0.0, level_m_ = 0.0;
   bodies::FloatingBodies bodies_;
   std::vector<bodies::HullPresser> pressers_;
   ocean::Ocean sea_;

@@ -476,11 +476,12 @@ void WorldClouds::see(const Camera& camera) {
   sky.lit->resolved.resolve(camera, sky.origin_m + sky.carried_m);
 }
 
-void WorldClouds::see_mirrored(const Camera& mirrored) {
+void WorldClouds::see_mirrored(const Camera& mirrored, double plane_m) {
   Sky& sky = *sky_;
   if (sky.lit->by.empty()) return;
   const glm::dvec3 image_m = sky.from_lit_m(mirrored.eye_m);
-  const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, -mirrored.eye_m.y, mirrored.eye_m.z});
+  const glm::dvec3 eye_m =
+      sky.from_lit_m({mirrored.eye_m.x, 2.0 * plane_m - mirrored.eye_m.y, mirrored.eye_m.z});
   sky.light_of = sky.are_within(mirror_rad, eye_m, image_m) ? eye : mirror_image;
   sky.order_of = mirror_image;
   sky.send(sky.light_of == eye ? eye_m : image_m, sky.lights[sky.light_of]);

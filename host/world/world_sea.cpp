@@ -139,7 +139,9 @@ void World::make_shoals() {
   std::shared_ptr<const ocean::Shoals> made;
   swash_.reset();
   if (ocean_ && terrain_ && parameters_.has_shoals) {
-    if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(terrain_->parameters()));
+    if (!bed_)
+      bed_ =
+          std::make_shared<const ocean::DepthMap>(sea_bed(terrain_->parameters(), parameters_.sea_level_m));
     const ocean::ShoalTable table(
         parameters_.spectrum.dispersion,
         ocean::shoaling_bands(cascade_bands_, parameters_.ocean.gerstner_waves.waves));
@@ -191,6 +193,7 @@ void World::reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves)
 
 void World::set_sea(const WorldParameters& parameters) {
   make_sea(parameters);
+  set_sea_level(parameters.sea_level_m);
   parameters_.has_sea = parameters.has_sea;
   parameters_.spectrum = parameters.spectrum;
   parameters_.ocean = parameters.ocean;

@@ -133,11 +133,12 @@ void WorldTerrain::beneath_at(const Camera& camera, const sky::ClearSky& sky, co
   paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, {.rays = 1}, sea, beneath_);
 }
 
-void WorldTerrain::mirror_at(const Camera& mirrored, const sky::ClearSky& sky, const TerrainLighting& light) {
+void WorldTerrain::mirror_at(const Camera& mirrored, double plane_m, const sky::ClearSky& sky,
+                             const TerrainLighting& light) {
   is_mirrored_ = field_ && rays_reach(field_->grid(), mirrored.eye_m);
   if (!is_mirrored_) return;
   mirrored_.fit(device_, mirrored);
-  mirrored_cast_.at(*field_, mirrored, 0.0, mirrored_.hits);
+  mirrored_cast_.at(*field_, mirrored, plane_m, mirrored_.hits);
   shade_.at(*field_, mirrored, mirrored_.hits, {light.light, sky.params(), sky.view_table(), light.clouds},
             mirrored_.image, look_of({.rays = 1}, {}));
   hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.planes);

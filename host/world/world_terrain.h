@@ -112,9 +112,10 @@ class WorldTerrain {
   /// What beneath_at() made; nullptr where the last at() found nothing in reach.
   const TerrainImage* beneath() const { return is_in_reach_ ? &beneath_ : nullptr; }
 
-  /// Enqueues what the sea at height 0 mirrors of the ground for this camera, whose eye is the mirrored one
-  /// (offing::mirrored()), with one ray a pixel. A map in tiles is not mirrored. Throws what at() throws.
-  void mirror_at(const Camera& mirrored, const sky::ClearSky& sky, const TerrainLighting& light);
+  /// Enqueues what a sea at height `plane_m` mirrors of the ground for this camera, whose eye is the mirrored
+  /// one (offing::mirrored()), with one ray a pixel. A map in tiles is not mirrored. Throws what at() throws.
+  void mirror_at(const Camera& mirrored, double plane_m, const sky::ClearSky& sky,
+                 const TerrainLighting& light);
   /// What mirror_at() made; nullptr where it found nothing in reach.
   const TerrainImage* mirrored() const { return is_mirrored_ ? &mirrored_ : nullptr; }
 

@@ -17,7 +17,7 @@ constexpr double farthest_m = 1000.0;
 std::optional<SurfacePlace> seen_surface(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   std::optional<SurfacePlace> seen;
   if (sea.scene().has_sea()) {
-    if (const auto place_m = on_plane(ray_at(screen, clip), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}))
+    if (const auto place_m = on_plane(ray_at(screen, clip), {0.0, sea.sea_level_m(), 0.0}, {0.0, 1.0, 0.0}))
       seen = {*place_m, true};
   }
   if (sea.terrain() == nullptr || !sea.terrain()->is_in_reach()) return seen;
@@ -38,7 +38,7 @@ glm::dvec3 pointed_place(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   const glm::dvec3 before_m = eye_m + ahead_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
   const auto terrain =
       sea.terrain() != nullptr ? sea.terrain()->terrain_at(before_m.x, before_m.z) : std::nullopt;
-  const double water_m = sea.scene().has_sea() ? 0.0 : -std::numeric_limits<double>::infinity();
+  const double water_m = sea.scene().has_sea() ? sea.sea_level_m() : -std::numeric_limits<double>::infinity();
   const double height_m = std::max(terrain ? terrain->height_m : water_m, water_m);
   return {before_m.x, std::isfinite(height_m) ? height_m : 0.0, before_m.z};
 }

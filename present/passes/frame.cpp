@@ -99,8 +99,8 @@ void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
   const StageTimes::Scope stage(times_, Stage::clouds);
   clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
   light_.bind();
-  clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment(), CloudPass::AirFrom::eye,
-               light_of_layers(request));
+  clouds_.draw(above_level(request.camera, world.sea_level_m()), world.parameters().atmosphere,
+               sky_.environment(), CloudPass::AirFrom::eye, light_of_layers(request));
 }
 
 void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
@@ -115,15 +115,18 @@ void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
   if (keeps && ++frames_of_slice_ < slice_frames) return;
   frames_of_slice_ = 0;
   // Level water mirrors what the eye's mirror image sees.
-  const bool is_below = request.camera.eye_m.y < 0.0;
-  const Camera from_below = is_below ? request.camera : mirrored(request.camera, 0.0);
+  const double level_m = world.sea_level_m();
+  const bool is_below = request.camera.eye_m.y < level_m;
+  const Camera from_below = is_below ? request.camera : mirrored(request.camera, level_m);
   run_stage(times_, Stage::clouds, world.device(),
             [&] { is_below ? world.see_clouds(from_below) : world.see_mirrored_clouds(from_below); });
   const StageTimes::Scope stage(times_, Stage::clouds);
-  cloudy_sky_.draw(
-      world.device(),
-      {.drawn = drawn_clouds(world), .air = world.parameters().atmosphere, .clear_sky = sky_.environment()},
-      from_below.eye_m, keeps ? SkyRefresh::slice : SkyRefresh::whole, transfer_);
+  cloudy_sky_.draw(world.device(),
+                   {.drawn = drawn_clouds(world),
+                    .air = world.parameters().atmosphere,
+                    .clear_sky = sky_.environment(),
+                    .sea_level_m = level_m},
+                   from_below.eye_m, keeps ? SkyRefresh::slice : SkyRefresh::whole, transfer_);
 }
 
 void Frame::show_light(const FrameRequest& request, bool shows_steps) {

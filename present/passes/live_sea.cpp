@@ -177,7 +177,8 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
   double height_m = -std::numeric_limits<double>::infinity();
   if (world_->has_sea()) {
     const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
-    height_m = world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
+    height_m = world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m +
+               world_->sea_level_m();
   }
   if (terrain() == nullptr) return height_m;
   const std::optional<terrain::TerrainPoint> below = terrain()->terrain_at(x_m, z_m);

@@ -72,6 +72,7 @@ class LiveSea {
   /// mean, m; -inf where there is neither. Throws Error(bad_input) where no point of the water may be
   /// (farthest_point_m).
   double surface_height_m(double x_m, double z_m);
+  double sea_level_m() const { return world_->sea_level_m(); }
   /// nullptr without ground.
   world::WorldTerrain* terrain() { return world_->terrain(); }
   /// nullptr without clouds.

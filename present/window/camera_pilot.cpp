@@ -10,6 +10,7 @@ using scene::CameraMode;
 
 void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input, double seconds) {
   FreeCamera& camera = state.camera;
+  camera.set_water_level(sea.sea_level_m());
   const auto surface_m = [&sea](double x_m, double z_m) { return sea.surface_height_m(x_m, z_m); };
   scene::ViewScene& view = state.scene.view;
   if (view.mode == CameraMode::walk && sea.terrain()) {

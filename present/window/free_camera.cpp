@@ -11,8 +11,8 @@ namespace offing::present {
 namespace {
 
 constexpr double start_speed_mps = 10.0;
-// Not in the water, which begins at height 0 for pictures, where a trough lies before the eye.
-constexpr double lowest_m = 0.001;
+// Not in the water, which begins at its level for pictures, where a trough lies before the eye.
+constexpr double above_level_m = 0.001;
 constexpr double slowest_mps = 0.1, fastest_mps = 1000.0;
 constexpr double wheel_factor = 1.25;
 constexpr double fast_factor = 5.0, slow_factor = 0.2;
@@ -38,7 +38,8 @@ void FreeCamera::look(const CameraInput& input) {
 
 void FreeCamera::rise_above(double surface_m) {
   double& height_m = camera_.eye_m.y;
-  height_m = within_range("camera.y_m", std::max({height_m, surface_m + clearance_m, lowest_m}));
+  height_m = within_range("camera.y_m",
+                          std::max({height_m, surface_m + clearance_m, water_level_m_ + above_level_m}));
 }
 
 void FreeCamera::advance(const CameraInput& input, double seconds, const SurfaceHeight& surface_m) {

@@ -39,6 +39,8 @@ class FreeCamera {
   void look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m);
   /// Up out of a surface of this height, if it is in it.
   void rise_above(double surface_m);
+  /// It stays above this, whatever the waves do.
+  void set_water_level(double height_m) { water_level_m_ = height_m; }
   /// Back to where it began.
   void reset();
   /// To where another camera is, with the picture's size as it is.
@@ -50,7 +52,7 @@ class FreeCamera {
 
  private:
   Camera start_, camera_;
-  double speed_mps_;
+  double speed_mps_, water_level_m_ = 0.0;
 };
 
 }  // namespace offing::present

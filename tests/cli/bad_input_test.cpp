@@ -179,8 +179,6 @@ const std::vector<BadInput> bad_inputs = {
      ".*/a.toml:3:18: ocean.wind_speed_mps: expected a number in m/s within \\[0.1, 60\\], got \"17 kn\""},
     {"scene_not_finite", file("a.toml", "version = 1\n[ocean]\ndepth_m = -inf\n"), stats({"@/a.toml"}), 2,
      ".*/a.toml:3:11: ocean.depth_m: .*got -inf"},
-    {"scene_later_key", file("a.toml", "version = 1\n[world]\nsea_level_m = 2\n"), stats({"@/a.toml"}), 2,
-     ".*/a.toml:3:1: world.sea_level_m: .*"},
     {"scene_ends_before_start",
      file("a.toml", "version = 1\n[time]\nstart_s = 3\nend_s = 2\n"),
      {"ocean", "bake", "@/a.toml", "--size", "16", "-o", "@/out"},

@@ -219,10 +219,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
                  "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
                  "did you mean patch_m?"},
-        BadScene{"planned_key", "version = 1\n[world]\nsea_level_m = 3\n",
-                 "storm.toml:3:1: world.sea_level_m: expected a part that this version supports, got one "
-                 "that it does not support yet",
-                 "remove world.sea_level_m from the scene"},
         BadScene{"body_as_a_table", "version = 1\n[body]\ndraught_m = 3\n",
                  "storm.toml:2:2: body: expected a section [[body]], got a table",
                  "write [[body]] on a line of its own and its keys below"},

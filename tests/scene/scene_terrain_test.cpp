@@ -276,6 +276,9 @@ TEST_F(SceneTerrainTest, HasTheLinesOfTheScene) {
   const auto lines = [](const std::string& text) { return prepare_terrain(scene_of(text))->lines; };
   EXPECT_EQ(lines("[terrain]\nposts = 5\nwater_line_m = 12\n").sea_level_m, 12.0);
   EXPECT_LT(lines("[terrain]\nposts = 5\nwater_line_m = 12\n[ocean]\n").sea_level_m, -1e5);
+  const std::string with_sea = "[ocean]\n[terrain]\nposts = 5\n";
+  EXPECT_EQ(lines(with_sea + "[world]\nsea_level_m = 300\n").beach_line_m,
+            lines(with_sea).beach_line_m + 300.0);
   EXPECT_EQ(lines("[terrain]\nposts = 5\ntree_line_m = 7\n").tree_line_m, 7.0);
   EXPECT_EQ(lines("[terrain]\nposts = 5\n").snow_line_m, world::CoverLines{}.snow_line_m);
 }

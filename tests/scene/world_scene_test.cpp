@@ -48,6 +48,7 @@ TEST(WorldScene, EditEqualsAFreshStart) {
       sea + rain + gerstner + seed + dusk,
       sea + gerstner + seed + dusk + haze,
       sea + "choppiness = 0.5\n" + gerstner + seed + haze + "[wind]\nspeed_mps = 6\n",
+      sea + "[world]\nsea_level_m = -300\n",
       sea + "fetch_m = 9e3\n[sky]\npressure_pa.keys = [{ t = 0, value = 9e4 }]\n",
   };
   const ocl::Device device = ocl::Device::open();

@@ -44,13 +44,14 @@ double hills_m(double x_m, double z_m) {
 // Fails if a gentle bed is felt at another depth or place than it has: all posts are kept.
 TEST(SeaBed, IsTheGroundWhereItIsGentle) {
   const TerrainParameters terrain = terrain_of(200, 5.0, hills_m);
-  const ocean::DepthMap bed = sea_bed(terrain);
+  const ocean::DepthMap bed = sea_bed(terrain), raised = sea_bed(terrain, 3.0);
   EXPECT_EQ(bed.columns, 200);
   int compared = 0;
   for (double x_m = -299.0; x_m < 600.0; x_m += 7.3) {
     const auto below = terrain::terrain_at(*terrain.map, x_m + 300.0, 201.7);
     if (below->height_m > -4.0) continue;
     EXPECT_NEAR(bed.depth_m(x_m, 251.7), -below->height_m, 1e-4);
+    EXPECT_NEAR(raised.depth_m(x_m, 251.7), 3.0 - below->height_m, 1e-4);
     ++compared;
   }
   EXPECT_GT(compared, 20);

@@ -68,6 +68,26 @@ TEST_F(WorldBodiesTest, MovesItsMesh) {
   EXPECT_NEAR(place_m(world, 0).x, 8.0, 1.0);
 }
 
+// Fails if bodies or what is drawn of them stay where they were when the sea rises, or move otherwise there.
+TEST_F(WorldBodiesTest, FloatAtTheSeasLevel) {
+  WorldParameters parameters = test::floating_world(4.0);
+  World low(device_, parameters);
+  parameters.sea_level_m = 30.0;
+  World high(device_, parameters);
+  for (World* world : {&low, &high}) {
+    world->at(2.0, 5.0);
+    world->see_meshes({0.0, 5.0, 50.0});
+  }
+  const glm::dvec3 rise_m(0.0, 30.0, 0.0);
+  EXPECT_EQ(place_m(high, 0), place_m(low, 0) + rise_m);
+  for (std::size_t mesh = 0; mesh < 3; ++mesh) {
+    const glm::dvec3 low_m = low.meshes()[mesh].motion().translation_m;
+    EXPECT_LT(glm::length(high.meshes()[mesh].motion().translation_m - low_m - rise_m), 1e-9) << mesh;
+  }
+  low.set_sea_level(-7.0);
+  EXPECT_EQ(place_m(low, 0).y, place_m(high, 0).y - 37.0);
+}
+
 // Fails if bodies float on another sea than the one that is drawn: a box of 2 m rides on waves of which
 // hardly any are shorter than it is. Of their height deviation it misses what it lags behind: measured 30 %,
 // gate 50 %; on another sea 140 %.

@@ -26,9 +26,6 @@ namespace offing::scene {
 
 namespace {
 
-/// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 1> planned_keys = {"world.sea_level_m"};
-
 class SceneReader {
  public:
   SceneReader(std::string_view name, std::filesystem::path folder, Trust trust)
@@ -221,14 +218,6 @@ class SceneReader {
   [[noreturn]] void refuse_key(const std::string& full_key, const std::string& prefix,
                                const toml::key& key) const {
     const std::string place = place_of(key.source());
-    if (std::find(planned_keys.begin(), planned_keys.end(), full_key) != planned_keys.end()) {
-      throw Error(
-          ErrorKind::bad_input,
-          fmt::format(
-              "{}: {}: expected a part that this version supports, got one that it does not support yet",
-              place, full_key),
-          fmt::format("remove {} from the scene", full_key));
-    }
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}: expected a known key, got \"{}\"", place, full_key.substr(0, 60),
                             key.str().substr(0, 60)),

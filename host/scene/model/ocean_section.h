@@ -21,6 +21,7 @@ struct WorldSection {
   std::uint64_t seed = 1;      ///< of the sea
   double latitude_rad = 0.0;   ///< of the origin, north positive
   double longitude_rad = 0.0;  ///< of the origin, east positive
+  double sea_level_m = 0.0;    ///< of the still sea, in the heights of the scene
 
   bool operator==(const WorldSection&) const = default;
 };

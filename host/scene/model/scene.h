@@ -75,6 +75,9 @@ struct Scene {
   /// Ground, meshes and clouds that are given without a sea stand alone.
   bool has_sea() const { return ocean.is_given || !(terrain.is_given || !meshes.empty() || has_clouds()); }
 
+  /// In the heights of the scene; 0 where there is none.
+  double sea_level_m() const { return has_sea() ? world.sea_level_m : 0.0; }
+
   ViewScene view;  ///< for the presenter; no simulation reads it
   std::vector<BookmarkScene> bookmarks;
   /// Each number that moves -> how, in the stored unit; see view_at(), meshes_at() and prepare_clouds().

@@ -143,7 +143,7 @@ world::CoverLines cover_of(const Scene& scene, std::optional<double> latitude_de
   world::CoverLines lines = latitude_deg ? world::cover_lines(*latitude_deg) : world::CoverLines{};
   if (scene.has_sea()) {
     lines.sea_level_m = deepest_m;
-    lines.beach_line_m = beach_m;
+    lines.beach_line_m = scene.sea_level_m() + beach_m;
   } else {
     lines.sea_level_m = scene.terrain.water_line_m;
   }

@@ -61,6 +61,7 @@ world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings
   parameters.ocean = std::move(sea.parameters);
   parameters.water = scene.ocean.water;
   parameters.has_shoals = scene.ocean.shoaling == Shoaling::on;
+  parameters.sea_level_m = scene.sea_level_m();
   return parameters;
 }
 
@@ -81,6 +82,9 @@ world::WorldParameters prepare_world(const Scene& scene, Warnings warnings) {
 world::WorldParameters prepare_shown_world(Scene& scene) {
   world::WorldParameters parameters = prepare_world(scene);
   place_camera(scene, parameters.terrain);
+  // The usual eye stands above the sea.
+  if (!parameters.terrain && !scene.set_at.contains("camera.y_m"))
+    scene.view.camera.eye_m.y += parameters.sea_level_m;
   const bool has_meshes_alone = !parameters.has_sea && !parameters.terrain && !parameters.meshes.empty();
   if (has_meshes_alone && !places_its_camera(scene)) {
     look_at_meshes(parameters.meshes, scene.time.start_s, scene.view.camera);
@@ -131,6 +135,7 @@ void edit_world_below(world::World& world, const Scene& before, const Scene& aft
       break;
   }
   world.set_water(after.ocean.water);
+  world.set_sea_level(after.sea_level_m());
   world.set_terrain(terrain);
   edit_meshes(world, before, after);
   edit_bodies(world, before, after);

@@ -59,7 +59,7 @@ Schema<LightScene> light_schema() {
          .unit = "m",
          .low = -1e7,
          .high = 1e7,
-         .help = "height above the mean water level",
+         .help = "height, as heights of the terrain",
          .motion = keyed},
         needs_place},
        {path(place, &glm::dvec3::z),

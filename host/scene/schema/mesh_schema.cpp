@@ -136,7 +136,7 @@ std::vector<Row<MeshScene>> place_rows() {
             .unit = "m",
             .low = -1e5,
             .high = 1e5,
-            .help = "height of its origin above the mean water level",
+            .help = "height of its origin, as heights of the terrain",
             .motion = keyed}},
           {path(place, &glm::dvec3::z),
            {.key = "z_m",

@@ -11,34 +11,46 @@ std::string needs_date(const UseContext& context, const WorldSection&) {
   return context.scene.view.sun_time_utc ? "" : "sun.time_utc is not given";
 }
 
+std::string needs_sea(const UseContext& context, const WorldSection&) {
+  return context.sea.is_there ? "" : "the scene has no sea";
+}
+
 }  // namespace
 
 Schema<WorldSection> world_schema() {
   Schema<WorldSection> schema("world");
-  return schema.rows(ParameterGroup::world, Affects::view,
-                     {{&WorldSection::seed,
-                       {.key = "seed",
-                        .affects = Affects::sea_seed | Affects::baked,
-                        .flag = "--seed",
-                        .high = 9223372036854775807.0,
-                        .help = "random seed: another seed gives another sea of the same spectrum"}},
+  return schema.rows(
+      ParameterGroup::world, Affects::view,
+      {{&WorldSection::seed,
+        {.key = "seed",
+         .affects = Affects::sea_seed | Affects::baked,
+         .flag = "--seed",
+         .high = 9223372036854775807.0,
+         .help = "random seed: another seed gives another sea of the same spectrum"}},
 
-                      {&WorldSection::latitude_rad,
-                       {.key = "latitude_deg",
-                        .unit = "deg",
-                        .low = -90.0,
-                        .high = 90.0,
-                        .help = "latitude of the origin, north positive; used for the sun's position",
-                        .scale = radians_per_degree},
-                       needs_date},
-                      {&WorldSection::longitude_rad,
-                       {.key = "longitude_deg",
-                        .unit = "deg",
-                        .low = -180.0,
-                        .high = 360.0,
-                        .help = "longitude of the origin, east positive; used for the sun's position",
-                        .scale = radians_per_degree},
-                       needs_date}});
+       {&WorldSection::latitude_rad,
+        {.key = "latitude_deg",
+         .unit = "deg",
+         .low = -90.0,
+         .high = 90.0,
+         .help = "latitude of the origin, north positive; used for the sun's position",
+         .scale = radians_per_degree},
+        needs_date},
+       {&WorldSection::longitude_rad,
+        {.key = "longitude_deg",
+         .unit = "deg",
+         .low = -180.0,
+         .high = 360.0,
+         .help = "longitude of the origin, east positive; used for the sun's position",
+         .scale = radians_per_degree},
+        needs_date},
+       {&WorldSection::sea_level_m,
+        {.key = "sea_level_m",
+         .unit = "m",
+         .low = -1e4,
+         .high = 1e4,
+         .help = "height of the still sea, among the heights of the terrain and of all objects"},
+        needs_sea}});
 }
 
 Schema<TimeSection> time_schema() {

@@ -106,9 +106,10 @@ std::optional<Sphere> place_of(const Scene& scene, const SceneObject& object, do
       const scene::WakeScene& wake = scene.ocean.wakes[object.index];
       if (wake.centre != scene::WakeCentre::place) return {};
       const scene::ElementIndex element{object.index, 0};
-      return Sphere{{scene::MovingNumber(scene, {"ocean.wake.x_m", element}, wake.x_m).at(time_s), 0.0,
-                     scene::MovingNumber(scene, {"ocean.wake.z_m", element}, wake.z_m).at(time_s)},
-                    0.5 * wake.parameters.length_m};
+      return Sphere{
+          {scene::MovingNumber(scene, {"ocean.wake.x_m", element}, wake.x_m).at(time_s), scene.sea_level_m(),
+           scene::MovingNumber(scene, {"ocean.wake.z_m", element}, wake.z_m).at(time_s)},
+          0.5 * wake.parameters.length_m};
     }
     case ObjectKind::bookmark:
       return Sphere{scene.bookmarks[object.index].camera.eye_m, 0.0};

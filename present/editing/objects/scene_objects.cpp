@@ -151,6 +151,7 @@ FloatingStart start_of(const Scene& scene, std::size_t index) {
   start.pose =
       bodies::at_rest(start.body, bodies::BodyWaterParameters{}.density_kgpm3, at_start("body.x_m", body.x_m),
                       at_start("body.z_m", body.z_m), at_start("body.heading_deg", body.heading_rad));
+  start.pose.mass_centre_m.y += scene.sea_level_m();
   return start;
 }
 

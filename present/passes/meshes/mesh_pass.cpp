@@ -170,7 +170,7 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
                          GLuint environment, MeshPart part) {
   const world::WorldMesh& view = world.meshes()[index];
   if (!view.is_visible()) return;
-  const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
+  const MeshViewMatrices matrices(view, request.camera, capabilities_, part, world.sea_level_m());
   set_base_light(request.highlights);
   draw_base(world, index, matrices, request, environment);
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {

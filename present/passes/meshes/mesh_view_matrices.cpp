@@ -16,8 +16,9 @@ constexpr double nowhere_m = -1e9;  // deeper than anything is drawn
 }  // namespace
 
 MeshViewMatrices::MeshViewMatrices(const world::WorldMesh& mesh, const Camera& camera,
-                                   const GlCapabilities& capabilities, MeshPart part)
-    : to_eye(mesh.motion().rotation), cut_m(part == MeshPart::above_sea ? -camera.eye_m.y : nowhere_m) {
+                                   const GlCapabilities& capabilities, MeshPart part, double sea_level_m)
+    : to_eye(mesh.motion().rotation),
+      cut_m(part == MeshPart::above_sea ? sea_level_m - camera.eye_m.y : nowhere_m) {
   const highlights::RigidMotion& motion = mesh.motion();
   to_eye[3] =
       glm::dvec4(motion.rotation * mesh.surface().middle_m() + (motion.translation_m - camera.eye_m), 1.0);

@@ -93,7 +93,8 @@ void CloudySky::draw_face(const ocl::Device& device, const Scenery& scenery, con
   face_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  clouds_.draw(camera, scenery.air, scenery.clear_sky, CloudPass::AirFrom::sea);
+  clouds_.draw(above_level(camera, scenery.sea_level_m), scenery.air, scenery.clear_sky,
+               CloudPass::AirFrom::sea);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, side_px(), side_px());
   program_.use();

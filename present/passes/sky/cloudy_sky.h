@@ -31,6 +31,7 @@ class CloudySky {
     const clouds::DrawnParticles& drawn;  ///< seen from the eye
     const sky::Atmosphere& air;
     GLuint clear_sky;  ///< the map of SkyPass
+    double sea_level_m = 0.0;
   };
   /// Draws the clouds as an eye at the sea or below it sees them, without the air below the sea: one below
   /// is the mirror image of one above. All of them, or with SkyRefresh::slice one face that is due: all are

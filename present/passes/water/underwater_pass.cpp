@@ -40,7 +40,7 @@ void UnderwaterPass::draw(const world::World& world, const Camera& camera, const
   bind_sampler(program, "dry_light", light_unit, dry.light.texture());
   bind_sampler(program, "dry_depth", underwater_depth_unit, dry.light.depth_texture());
   const WaterLight light = water_light(world);
-  glsl::ViewUniforms view = view_uniforms(camera);
+  glsl::ViewUniforms view = view_uniforms(above_level(camera, world.sea_level_m()));
   view.haze_perm = haze_perm(world.parameters().atmosphere);
   block_.fill(view, {.attenuation_perm = light.attenuation_perm,
                      .deep_kcdpm2 = (light.of_sky_kcdpm2 + light.of_sun_kcdpm2) / water_leaving_share});

@@ -21,7 +21,7 @@ class UnderwaterPass {
 
   /// Whether this eye is in the water.
   static bool is_under(const world::World& world, const Camera& camera) {
-    return world.has_sea() && camera.eye_m.y <= 0.0;
+    return world.has_sea() && camera.eye_m.y <= world.sea_level_m();
   }
   /// What is drawn already.
   struct Dry {

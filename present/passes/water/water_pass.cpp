@@ -214,7 +214,7 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
                                                  .shows_beneath = views_.has_beneath(),
                                                  .has_clouds = dry.cloudy_sky.has_map()});
   program.use();
-  glsl::ViewUniforms view = view_uniforms(request.camera);
+  glsl::ViewUniforms view = view_uniforms(above_level(request.camera, world.sea_level_m()));
   view.white_kcdpm2 = static_cast<float>(1.0 / request.exposure);
   view.haze_perm = haze_perm(world.parameters().atmosphere);
   glsl::WaterUniforms water{};

@@ -160,9 +160,10 @@ void WaterSurface::index_cells() const {
 }
 
 bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const Camera& camera, Fill fill) {
-  const std::optional<ocean::ProjectedGrid> grid = ocean::ProjectedGrid::for_camera(camera, world.reach());
+  const Camera over_sea = above_level(camera, world.sea_level_m());
+  const std::optional<ocean::ProjectedGrid> grid = ocean::ProjectedGrid::for_camera(over_sea, world.reach());
   if (!grid) return false;
-  shape_.draw(world, maps, camera, *grid);
+  shape_.draw(world, maps, over_sea, *grid);
   if (target_.width() != camera.width_px || target_.height() != camera.height_px) {
     target_ = RenderTarget(camera.width_px, camera.height_px, GL_RGBA32F, output_count,
                            RenderTarget::Depth::single_precision);

@@ -49,7 +49,7 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
 void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
                                Transfer& transfer) {
   FrameRequest from_below = request;
-  from_below.camera = mirrored(request.camera, 0.0);
+  from_below.camera = mirrored(request.camera, world.sea_level_m());
   begin(mirrored_, from_below.camera);
   // One ray a pixel: no pixel is covered in part.
   world.see_mirrored_terrain(from_below.camera);
@@ -65,7 +65,8 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
     world.see_mirrored_clouds(from_below.camera);
     mirrored_clouds_.prepare(world.device(), drawn_clouds(world), from_below.camera, mirrored_, transfer);
     mirrored_.bind();
-    mirrored_clouds_.draw(from_below.camera, world.parameters().atmosphere, passes.environment);
+    mirrored_clouds_.draw(above_level(from_below.camera, world.sea_level_m()), world.parameters().atmosphere,
+                          passes.environment);
   }
   mirrored_.fill_levels();
 }

@@ -162,6 +162,17 @@ TEST_F(FrameTest, LooksTheSameFarFromTheOrigin) {
   EXPECT_LT(worst, 2e-3);
 }
 
+// Fails if a part of the picture takes the sea at height 0, whatever its level.
+TEST_F(FrameTest, IsTheSameAtAnyLevel) {
+  constexpr double level_m = 1500.0;
+  const std::vector<float> low = picture(2.0);
+  stage_->world.set_sea_level(level_m);
+  camera_.eye_m.y += level_m;
+  const std::vector<float> high = picture(2.0);
+  stage_->world.set_sea_level(0.0);
+  EXPECT_EQ(low, high);
+}
+
 // Fails if the sea stands still, or a picture depends on what was drawn before.
 TEST_F(FrameTest, DependsOnTimeAlone) {
   camera_.pitch_rad = -20.0 * degree;
