@@ -580,6 +580,25 @@ OffingStatus offing_read_point_file(const OffingPointFile* points, double* place
 OffingStatus offing_read_point_attribute(const OffingPointFile* points, const char* name, double* values,
                                          size_t count);
 
+/** Water in a basin, as offing_fill_lake() finds it. */
+typedef struct OffingLake {
+  size_t size;                 /**< sizeof(OffingLake) */
+  double level_m;              /**< of the water */
+  double spill_level_m;        /**< above it the water would run off the map */
+  double spill_x_m, spill_z_m; /**< where it would */
+  double area_m2;              /**< of the surface */
+  double volume_m3, greatest_depth_m;
+  uint64_t outline_count; /**< places of the outline, which the next call has to have room for */
+} OffingLake;
+/** Fills the basin around (x_m, z_m) with water up to a level; NULL: until it is full. `lake` describes it.
+ *
+ * depth_m [count] gets the depth at each post, 0 beside the lake; count is rows * columns, or 0 with NULL.
+ * outline_m [outline_count][2] gets x and z of the shore in m: closed rings, the outer one first, then
+ * islands. Two NaN stand between rings. With NULL and 0, only `lake` tells how many places there are. */
+OffingStatus offing_fill_lake(OffingTerrain* terrain, double x_m, double z_m, const double* level_m,
+                              OffingLake* lake, float* depth_m, size_t count, double* outline_m,
+                              size_t outline_count);
+
 /** Settings of sky views; zeros are the usual ones. */
 typedef struct OffingSkyView {
   size_t size;                       /**< sizeof(OffingSkyView) */

@@ -26,6 +26,7 @@
 #include "host/terrain/analysis/sight_limits.h"
 #include "host/terrain/analysis/sky_view.h"
 #include "host/terrain/analysis/viewshed.h"
+#include "host/terrain/lakes/lake.h"
 
 using offing::Error;
 using offing::ErrorKind;
@@ -43,6 +44,17 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// Rings one after the other, with two NaN between them.
+std::vector<double> outline_values(const offing::terrain::Lake& lake,
+                                   const offing::terrain::TerrainPosts& posts) {
+  std::vector<double> values;
+  for (const std::vector<glm::dvec2>& ring : offing::terrain::outline_of(lake, posts)) {
+    if (!values.empty()) values.insert(values.end(), {nowhere, nowhere});
+    for (const glm::dvec2& place_m : ring) values.insert(values.end(), {place_m.x, place_m.y});
+  }
+  return values;
+}
 
 std::string text_of(const char* text) {
   return text == nullptr ? std::string() : std::string(text);
@@ -533,6 +545,40 @@ OffingStatus offing_count_viewsheds(OffingTerrain* terrain, const OffingViewshed
           watched.work().tell(static_cast<double>(observer + 1) / static_cast<double>(all.size()));
         });
     write_counts(wanted, found, watched.cancel());
+  });
+}
+
+OffingStatus offing_fill_lake(OffingTerrain* terrain, double x_m, double z_m, const double* level_m,
+                              OffingLake* lake, float* depth_m, size_t count, double* outline_m,
+                              size_t outline_count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    if (depth_m != nullptr) offing::c::require_count("count", count, terrain->post_count());
+    const offing::terrain::TerrainPosts posts = offing::terrain::posts_of(terrain->file.map);
+    const offing::terrain::Lake filled = offing::terrain::fill_lake(
+        posts, x_m, z_m, level_m != nullptr ? std::optional(*level_m) : std::nullopt);
+    const std::vector<double> outline = outline_values(filled, posts);
+    if (outline_m != nullptr) offing::c::require_count("outline_count", outline_count, outline.size() / 2);
+    if (lake != nullptr) {
+      OffingLake found{};
+      found.level_m = filled.level_m;
+      found.spill_level_m = filled.spill_level_m;
+      found.spill_x_m = filled.spill_m.x;
+      found.spill_z_m = filled.spill_m.y;
+      found.area_m2 = filled.area_m2;
+      found.volume_m3 = filled.volume_m3;
+      found.greatest_depth_m = filled.greatest_depth_m;
+      found.outline_count = outline.size() / 2;
+      offing::c::write_struct(lake, "lake", found);
+    }
+    if (outline_m != nullptr) std::ranges::copy(outline, outline_m);
+    if (depth_m == nullptr) return;
+    for (std::size_t post = 0; post < count; ++post) {
+      const auto columns = static_cast<std::size_t>(posts.columns);
+      const bool is_wet =
+          filled.is_wet_at(static_cast<int>(post % columns), static_cast<int>(post / columns));
+      depth_m[post] = is_wet ? static_cast<float>(filled.level_m - terrain->file.map.heights_m[post]) : 0.0f;
+    }
   });
 }
 

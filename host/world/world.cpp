@@ -207,6 +207,7 @@ void World::look_at_sky(double eye_height_m) {
 }
 
 void World::at(double time_s, double eye_height_m) {
+  if (terrain_) terrain_->set_time(time_s);
   look_at_sky(eye_height_m);
   if (ocean_) {
     ocean_->at(time_s);

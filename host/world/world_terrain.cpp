@@ -68,6 +68,14 @@ WorldTerrain::WorldTerrain(const ocl::Device& device, const TerrainParameters& p
   }
   if (parameters.colours) colours_.emplace(device, *parameters.colours);
   if (parameters.sees_horizons && field_) open_sky_.emplace(device, *field_);
+  make_lakes(parameters);
+}
+
+void WorldTerrain::make_lakes(const TerrainParameters& parameters) {
+  std::vector<std::shared_ptr<const terrain::Lake>> lakes;
+  for (const LakeSettings& each : parameters.lakes) lakes.push_back(each.lake);
+  lakes_.reset();
+  if (!lakes.empty()) lakes_.emplace(device_, lakes);
 }
 
 void WorldTerrain::set_cover(const TerrainParameters& parameters) {
@@ -80,6 +88,8 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
     open_sky_.emplace(device_, *field_);
   }
   if (are_other_colours) colours_ = std::move(colours);
+  if (parameters.lakes != parameters_.lakes) make_lakes(parameters);
+  parameters_.lakes = parameters.lakes;
   parameters_.lines = parameters.lines;
   parameters_.colours = parameters.colours;
   parameters_.sees_horizons = parameters.sees_horizons;
@@ -87,6 +97,41 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
 
 std::optional<terrain::TerrainPoint> WorldTerrain::terrain_at(double x_m, double z_m) const {
   return terrain::terrain_at(posts_, x_m - parameters_.origin_x_m, z_m - parameters_.origin_z_m);
+}
+
+std::optional<double> WorldTerrain::surface_m(double x_m, double z_m) const {
+  const std::optional<terrain::TerrainPoint> ground = terrain_at(x_m, z_m);
+  if (!ground) return std::nullopt;
+  double height_m = ground->height_m;
+  for (const LakeSettings& each : parameters_.lakes) {
+    height_m += terrain::depth_of_lake(*each.lake, posts_, x_m - parameters_.origin_x_m,
+                                       z_m - parameters_.origin_z_m);
+  }
+  return height_m;
+}
+
+std::optional<glm::dvec3> WorldTerrain::water_before(const terrain::Ray& ray, double distance_m) const {
+  const glm::dvec3 bed_m = ray.origin_m + distance_m * ray.direction;
+  for (const LakeSettings& each : parameters_.lakes) {
+    const double level_m = each.lake->level_m;
+    const double depth_m = terrain::depth_of_lake(*each.lake, posts_, bed_m.x - parameters_.origin_x_m,
+                                                  bed_m.z - parameters_.origin_z_m);
+    if (depth_m <= 0.0 || ray.origin_m.y <= level_m) continue;
+    return ray.origin_m + (level_m - ray.origin_m.y) / ray.direction.y * ray.direction;
+  }
+  return std::nullopt;
+}
+
+void WorldTerrain::look_at_lakes(const Camera& camera, const terrain::TerrainIllumination& light) {
+  if (!lakes_) return;
+  const TerrainLight& klx = light.light;
+  sky::Illuminance illuminance;
+  illuminance.sun_klx = {klx.sun_red_klx, klx.sun_green_klx, klx.sun_blue_klx};
+  illuminance.sky_klx = {klx.sky_red_klx, klx.sky_green_klx, klx.sky_blue_klx};
+  std::vector<terrain::LakeLook> looks;
+  for (const LakeSettings& each : parameters_.lakes)
+    looks.push_back(look_of_lake(each, camera.eye_m, time_s_, illuminance, light.sky.sun_direction_y));
+  lakes_->set_looks(looks);
 }
 
 terrain::RayHit WorldTerrain::cast(const terrain::Ray& ray) {
@@ -99,7 +144,8 @@ terrain::TerrainAppearance WorldTerrain::look_of(const terrain::Sampling& sampli
   return {.sampling = sampling,
           .colours = colours_ ? &*colours_ : nullptr,
           .open_sky = open_sky_ ? &*open_sky_ : nullptr,
-          .sea = sea};
+          .sea = sea,
+          .lakes = lakes_ ? &*lakes_ : nullptr};
 }
 
 void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIllumination& light,
@@ -107,6 +153,7 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
                          TerrainImage& picture) {
   picture.fit(device_, camera);
   picture.sea = sea;
+  look_at_lakes(camera, light);
   const terrain::TerrainAppearance look = look_of(sampling, sea);
   if (field_) {
     field_->cast(camera, picture.hits);
@@ -116,6 +163,13 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
     shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
   }
   hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.planes);
+  if (!lakes_) return;
+  if (field_) {
+    lakes_->stand_before(field_->device_field(terrain::CastMethod::parity),
+                         terrain::device_view(camera, field_->grid()), picture.hits, picture.planes);
+  } else {
+    lakes_->stand_before(tiles_->device_field(), tiles_->device_view(camera), picture.hits, picture.planes);
+  }
 }
 
 void WorldTerrain::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLighting& light,

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "host/base/camera.h"
 #include "host/base/colour_map.h"
@@ -19,6 +20,7 @@
 #include "host/terrain/shading/terrain_shade.h"
 #include "host/terrain/tiles/tiled_field.h"
 #include "host/terrain/walk/eye_place.h"
+#include "host/world/lake_look.h"
 #include "host/world/terrain_light.h"
 #include "kernels/shared/terrain.h"
 
@@ -55,6 +57,7 @@ struct TerrainParameters {
   CoverLines lines;
   std::shared_ptr<const ColourMap> colours = {};  ///< none: cover by height and slope
   bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
+  std::vector<LakeSettings> lakes = {};
 
   bool operator==(const TerrainParameters&) const = default;
 
@@ -92,6 +95,14 @@ class WorldTerrain {
   /// The ground above or below a point of the world; nothing beyond the map's edge.
   std::optional<terrain::TerrainPoint> terrain_at(double x_m, double z_m) const;
 
+  /// The same with lakes over the ground.
+  std::optional<double> surface_m(double x_m, double z_m) const;
+  /// The place at which a ray that hits ground so far away goes through a lake's surface before; nothing
+  /// where it does not.
+  std::optional<glm::dvec3> water_before(const terrain::Ray& ray, double distance_m) const;
+  /// What lakes' waves show from now on.
+  void set_time(double time_s) { time_s_ = time_s; }
+
   /// Enqueues what this camera sees under a sky whose eye is the camera's: nothing from where no rays reach
   /// the map (terrain::farthest_origin_cells). Throws what require_valid(camera) throws, Error(bad_input) for
   /// a sampling out of range.
@@ -122,6 +133,9 @@ class WorldTerrain {
  private:
   terrain::TerrainAppearance look_of(const terrain::Sampling& sampling,
                                      const terrain::SeaOverTerrain& sea) const;
+  void make_lakes(const TerrainParameters& parameters);
+  /// How lakes look to this camera.
+  void look_at_lakes(const Camera& camera, const terrain::TerrainIllumination& light);
   void paint(const Camera& camera, const terrain::TerrainIllumination& light,
              const terrain::Sampling& sampling, const terrain::SeaOverTerrain& sea, TerrainImage& picture);
 
@@ -135,6 +149,8 @@ class WorldTerrain {
   terrain::MirroredCast mirrored_cast_;
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
+  std::optional<terrain::LakeLayer> lakes_;
+  double time_s_ = 0.0;
   TerrainImage image_, beneath_, mirrored_;
   bool is_in_reach_ = false, is_mirrored_ = false;
 };

@@ -1,11 +1,14 @@
 // The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/terrain_light.clh.
 // In:  heights, maxima, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
-//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many.
+//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many; with LAKES lakes as terrain/terrain_shade.cl has them.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
 #include "terrain/endless.clh"
 #include "terrain/terrain_light.clh"
 #include "terrain/hit_places.clh"
 #include "terrain/image_rays.clh"
+#ifdef LAKES
+#include "terrain/lakes/lake_light.clh"
+#endif
 
 // In [0, 1): the bits of a number mirrored at the point. In floats, because compilers make of whole numbers a bit reversal
 // that Oclgrind 21.10 does not know.
@@ -21,7 +24,11 @@ INLINE float radical_inverse(int number) {
 // The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
 // not flicker: the points of Hammersley, one in each of `samples` columns of a pixel and, where they are a power of 2, rows.
 INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
-                           int samples, float4 *lights) {
+                           int samples,
+#ifdef LAKES
+                           Lakes lakes, __global const LakeWave *waves,
+#endif
+                           float4 *lights) {
   const TerrainField field = scenery->terrain.field;
   const float sample_rad = pixel_rad(view) / sqrt((float)samples);
   Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
@@ -34,18 +41,23 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     const HitPlaces places = places_of_hits(scenery->terrain, ray_setup.ray, hits);
     const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
-    const int_lanes is_hit = is_met & shown_by_height(scenery->look, ray_setup.ray, t_m);
-    TerrainHits on_ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
+    TerrainHits on_ground = {is_met, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                          (lanes)1.0f, (lanes)1.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
     on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
+#ifdef LAKES
+    on_ground.is_hit &= shown_with_lakes(scenery->look, lakes, rays, on_ground);
+    const Colours seen = light_with_lakes(scenery, lakes, waves, rays, on_ground).seen;
+#else
+    on_ground.is_hit &= shown_by_height(scenery->look, ray_setup.ray, t_m);
     const Colours seen = terrain_light(scenery, rays, on_ground).seen;
+#endif
     sum.red += seen.red;
     sum.green += seen.green;
     sum.blue += seen.blue;
-    covered += select((lanes)0.0f, (lanes)1.0f, is_hit);
+    covered += select((lanes)0.0f, (lanes)1.0f, on_ground.is_hit);
   }
   float values[4][LANES];
   store_lanes(sum.red, values[0]);
@@ -62,8 +74,15 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              __global const float4 *restrict view_table, TerrainLook look,
                              __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                              const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
+#ifdef LAKES
+                             __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
+                             __global const LakeWave *restrict lake_waves, int lake_count,
+#endif
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+#ifdef LAKES
+  const Lakes all_lakes = {lakes, lake_cells, lake_count};
+#endif
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
@@ -88,7 +107,11 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
         rows[lane] = (float)(place / view.width_px);
       }
       float4 lights[LANES];
-      mean_light(&scenery, view, first_level, load_lanes(columns), load_lanes(rows), rays, lights);
+      mean_light(&scenery, view, first_level, load_lanes(columns), load_lanes(rows), rays,
+#ifdef LAKES
+                 all_lakes, lake_waves,
+#endif
+                 lights);
       for (int lane = 0; lane < min(LANES, count - first); ++lane) image[places[first + lane]] = lights[lane];
     }
   }

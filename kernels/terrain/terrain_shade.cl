@@ -3,11 +3,14 @@
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
-//      terrain/open_sky.cl: of none of these, anything.
+//      terrain/open_sky.cl: of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
 #include "terrain/image_rays.clh"
+#ifdef LAKES
+#include "terrain/lakes/lake_light.clh"
+#endif
 
 INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
   int numbers[3][LANES];
@@ -42,19 +45,34 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
+#ifdef LAKES
+                            __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
+                            __global const LakeWave *restrict lake_waves, int lake_count,
+#endif
                             __global float4 *restrict image, __global float4 *restrict edges) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+#ifdef LAKES
+  const Lakes all_lakes = {lakes, lake_cells, lake_count};
+#endif
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       TerrainHits terrain = terrain_hits(hits, view, column, row);
+#ifdef LAKES
+      terrain.is_hit &= shown_with_lakes(look, all_lakes, rays, terrain);
+#else
       terrain.is_hit &= shown_by_height(look, rays, terrain.t_m);
+#endif
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
       terrain.way_x = turned(view.cell_x, view.fraction_x, terrain.t_m * rays.along_x, field.cells_x);
       terrain.way_z = turned(view.cell_z, view.fraction_z, terrain.t_m * rays.along_z, field.cells_z);
 #endif
+#ifdef LAKES
+      const TerrainColours colours_there = light_with_lakes(&scenery, all_lakes, lake_waves, rays, terrain);
+#else
       const TerrainColours colours_there = terrain_light(&scenery, rays, terrain);
+#endif
       float values[7][LANES];
       store_lanes(colours_there.seen.red, values[0]);
       store_lanes(colours_there.seen.green, values[1]);

@@ -25,7 +25,10 @@ std::optional<SurfacePlace> seen_surface(LiveSea& sea, const Screen& screen, glm
   const std::optional<TerrainPick> terrain = pick_terrain(*sea.terrain(), screen.camera, clip);
   const bool is_before =
       terrain && (!seen || glm::distance(terrain->place_m, eye_m) < glm::distance(seen->place_m, eye_m));
-  if (is_before) seen = {terrain->place_m, false};
+  if (is_before) {
+    const auto lake_m = sea.terrain()->water_before(terrain->ray, terrain->distance_m);
+    seen = {lake_m.value_or(terrain->place_m), false};
+  }
   return seen;
 }
 
@@ -36,10 +39,10 @@ glm::dvec3 pointed_place(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   if (pointed && glm::distance(pointed->place_m, eye_m) < farthest_m) return pointed->place_m;
   const double yaw_rad = screen.camera.yaw_rad;
   const glm::dvec3 before_m = eye_m + ahead_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
-  const auto terrain =
-      sea.terrain() != nullptr ? sea.terrain()->terrain_at(before_m.x, before_m.z) : std::nullopt;
+  const auto terrain_m =
+      sea.terrain() != nullptr ? sea.terrain()->surface_m(before_m.x, before_m.z) : std::nullopt;
   const double water_m = sea.scene().has_sea() ? sea.sea_level_m() : -std::numeric_limits<double>::infinity();
-  const double height_m = std::max(terrain ? terrain->height_m : water_m, water_m);
+  const double height_m = std::max(terrain_m.value_or(water_m), water_m);
   return {before_m.x, std::isfinite(height_m) ? height_m : 0.0, before_m.z};
 }
 

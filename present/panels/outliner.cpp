@@ -30,6 +30,7 @@ ImU32 colour_of(ObjectKind kind) {
       return IM_COL32(250, 210, 90, 255);
     case ObjectKind::sea:
     case ObjectKind::wake:
+    case ObjectKind::lake:
       return IM_COL32(80, 160, 230, 255);
     case ObjectKind::terrain:
       return IM_COL32(120, 180, 90, 255);
@@ -80,6 +81,7 @@ std::optional<NewObject> draw_menu(const scene::Scene& scene) {
   if (const auto genus = draw_genera("cloud layer", cloud_layer)) chosen = genus;
   item("sea", sea, !scene.has_sea());
   item("terrain", terrain, !scene.terrain.is_given);
+  item("lake", lake, scene.terrain.is_given);
   item("bookmark of this view", bookmark, true);
   return chosen;
 }
@@ -279,6 +281,7 @@ std::vector<scene::ParameterGroup> groups_beside(ObjectKind kind) {
     case ObjectKind::body:
       return {mooring};
     case ObjectKind::bookmark:
+    case ObjectKind::lake:
     case ObjectKind::light:
       return {};
   }

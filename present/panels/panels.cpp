@@ -149,6 +149,7 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
     case ParameterGroup::walk:
+    case ParameterGroup::lake:
       return scene.terrain.is_given;
     case ParameterGroup::mesh:
     case ParameterGroup::highlight:
@@ -404,6 +405,7 @@ std::span<const GroupPanel> group_panels() {
        {ParameterGroup::terrain, "Ground", "terrain land map mountains"},
        {ParameterGroup::height_map, "Height map", "terrain geotiff elevation"},
        {ParameterGroup::walk, "Walk"},
+       {ParameterGroup::lake, "Lakes", "water tarn pond reservoir"},
        {ParameterGroup::mesh, "Meshes", "object model shape ship boat"},
        {ParameterGroup::highlight, "Highlights"},
        {ParameterGroup::light, "Lights", "lantern shine"},

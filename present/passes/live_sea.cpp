@@ -181,8 +181,8 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
                world_->sea_level_m();
   }
   if (terrain() == nullptr) return height_m;
-  const std::optional<terrain::TerrainPoint> below = terrain()->terrain_at(x_m, z_m);
-  return below ? std::max(height_m, below->height_m) : height_m;
+  const std::optional<double> below_m = terrain()->surface_m(x_m, z_m);
+  return below_m ? std::max(height_m, *below_m) : height_m;
 }
 
 void LiveSea::simulate(const FrameRequest& request) {

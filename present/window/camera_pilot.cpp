@@ -17,7 +17,7 @@ void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input,
     camera.look(input);
     if (walking_.advance(sea.terrain()->parameters(), view, input, seconds, camera.camera())) {
       const glm::dvec3& eye_m = camera.camera().eye_m;
-      if (sea.scene().has_sea()) camera.rise_above(surface_m(eye_m.x, eye_m.z));
+      if (sea.scene().has_sea() || !sea.scene().lakes.empty()) camera.rise_above(surface_m(eye_m.x, eye_m.z));
       return;
     }
     view.mode = CameraMode::fly;
@@ -26,8 +26,8 @@ void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input,
   camera.advance(input, seconds, surface_m);
   if (!sea.terrain()) return;
   const glm::dvec3& eye_m = camera.camera().eye_m;
-  const std::optional<terrain::TerrainPoint> below = sea.terrain()->terrain_at(eye_m.x, eye_m.z);
-  if (below && below->height_m > eye_m.y) camera.rise_above(below->height_m);
+  const std::optional<double> below_m = sea.terrain()->surface_m(eye_m.x, eye_m.z);
+  if (below_m && *below_m > eye_m.y) camera.rise_above(*below_m);
 }
 
 bool CameraPilot::toggle_walk(ViewState& state, LiveSea& sea) const {
@@ -42,10 +42,9 @@ bool CameraPilot::toggle_walk(ViewState& state, LiveSea& sea) const {
 
 bool CameraPilot::go_to(ViewState& state, LiveSea& sea, glm::dvec2 place_m) const {
   if (!sea.terrain()) return false;
-  const std::optional<terrain::TerrainPoint> terrain = sea.terrain()->terrain_at(place_m.x, place_m.y);
-  if (!terrain) return false;
-  state.camera.camera().eye_m = {place_m.x, terrain->height_m + state.scene.view.walker.eye_height_m,
-                                 place_m.y};
+  const std::optional<double> terrain_m = sea.terrain()->surface_m(place_m.x, place_m.y);
+  if (!terrain_m) return false;
+  state.camera.camera().eye_m = {place_m.x, *terrain_m + state.scene.view.walker.eye_height_m, place_m.y};
   return true;
 }
 

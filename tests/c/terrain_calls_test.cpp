@@ -21,6 +21,7 @@
 #include "host/terrain/analysis/sky_view.h"
 #include "host/terrain/analysis/viewshed.h"
 #include "host/terrain/field/height_field.h"
+#include "host/terrain/lakes/lake.h"
 #include "tests/c/sized.h"
 #include "tests/io/temporary_folder.h"
 
@@ -238,6 +239,44 @@ TEST_F(TerrainCallsTest, ComputesViewsheds) {
   EXPECT_EQ(seen, due.read());
   EXPECT_THAT(seen, testing::Contains(255));
   EXPECT_THAT(seen, testing::Contains(0));
+}
+
+// Fails if a lake is not that of the library, arrays of another size are taken, or faults are not told.
+TEST_F(TerrainCallsTest, FillsLakes) {
+  // The lowest post within the map.
+  std::size_t lowest = 0;
+  for (int row = 1; row + 1 < rows; ++row) {
+    for (int column = 1; column + 1 < 20; ++column) {
+      const std::size_t post = map_.index(column, row);
+      if (lowest == 0 || map_.heights_m[post] < map_.heights_m[lowest]) lowest = post;
+    }
+  }
+  const double x_m = 10.0 * static_cast<double>(lowest % columns),
+               z_m = 8.0 * static_cast<double>(lowest / columns);
+  auto lake = sized<OffingLake>();
+  ASSERT_EQ(offing_fill_lake(terrain_, x_m, z_m, nullptr, &lake, nullptr, 0, nullptr, 0), OFFING_OK)
+      << offing_last_error();
+  const terrain::Lake expected = terrain::fill_lake(terrain::posts_of(map_), x_m, z_m, std::nullopt);
+  EXPECT_EQ(lake.level_m, expected.level_m);
+  EXPECT_EQ(lake.volume_m3, expected.volume_m3);
+  ASSERT_GT(lake.outline_count, 4u);
+  std::vector<float> depth_m(map_.heights_m.size());
+  std::vector<double> outline_m(2 * lake.outline_count);
+  const double level_m = lake.level_m - 0.5;
+  EXPECT_NE(offing_fill_lake(terrain_, x_m, z_m, nullptr, nullptr, depth_m.data(), 3, nullptr, 0), OFFING_OK);
+  ASSERT_EQ(offing_fill_lake(terrain_, x_m, z_m, nullptr, nullptr, depth_m.data(), depth_m.size(),
+                             outline_m.data(), lake.outline_count),
+            OFFING_OK)
+      << offing_last_error();
+  EXPECT_EQ(outline_m[0], terrain::outline_of(expected, terrain::posts_of(map_))[0][0].x);
+  EXPECT_FLOAT_EQ(*std::max_element(depth_m.begin(), depth_m.end()),
+                  static_cast<float>(expected.greatest_depth_m));
+  ASSERT_EQ(offing_fill_lake(terrain_, x_m, z_m, &level_m, &lake, nullptr, 0, nullptr, 0), OFFING_OK);
+  EXPECT_EQ(lake.level_m, level_m);
+  const double too_high_m = 1e3;
+  EXPECT_EQ(offing_fill_lake(terrain_, x_m, z_m, &too_high_m, &lake, nullptr, 0, nullptr, 0),
+            OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("spill level"));
 }
 
 // Fails if factors, horizons or hours are not those of the library, zeros are not the usual settings, or a

@@ -13,9 +13,9 @@ namespace offing::test {
 namespace {
 
 /// Texts that hold several numbers, or one that no range fits, in any command.
-const std::set<std::string_view> compound_texts{"at",   "camera", "chunk",    "direction", "frames",
-                                                "from", "nodata", "observer", "raw-size",  "size",
-                                                "sun",  "times",  "to"};
+const std::set<std::string_view> compound_texts{"at",   "camera", "chunk",  "direction", "frames",
+                                                "from", "lake",   "nodata", "observer",  "raw-size",
+                                                "size", "sun",    "times",  "to"};
 
 bool has_equal_limits(const scene::Parameter& a, const scene::Parameter& b) {
   return a.unit == b.unit && a.low == b.low && a.high == b.high && a.scale == b.scale && a.rule == b.rule;

@@ -302,5 +302,35 @@ TEST_F(TerrainQuery, RefusesWithAHint) {
   refuse("profile", {"--from", "0,0", "--to", "100,0", "--step-m", "0"});
 }
 
+// Fails if `lake` prints other figures than those of the pit, or writes an outline that is not its shore.
+TEST_F(TerrainQuery, FillsALake) {
+  std::ofstream grid(path("pit.asc"));
+  grid << "ncols 5\nnrows 5\nxllcenter 0\nyllcenter 0\ncellsize 10\n";
+  for (int post = 0; post < 25; ++post)
+    grid << (post == 12 ? 50 : post == 13 ? 58 : 60) << (post % 5 == 4 ? "\n" : " ");
+  grid.close();
+  const auto fill = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"terrain", "lake", path("pit.asc"), "--at", "20,20"});
+    return run_offing(arguments);
+  };
+  const ProgramResult full = fill({"--json"});
+  ASSERT_EQ(full.exit_code, 0) << full.errors;
+  const auto json = nlohmann::json::parse(full.output);
+  EXPECT_EQ(json["level_m"], 60.0);
+  EXPECT_EQ(json["greatest_depth_m"], 10.0);
+  const ProgramResult half = fill({"--level-m", "55", "-o", path("pit.geojson")});
+  ASSERT_EQ(half.exit_code, 0) << half.errors;
+  EXPECT_THAT(half.output, testing::StartsWith("level 55.000 m, area "));
+  EXPECT_THAT(half.output, testing::HasSubstr("full at 60.000 m"));
+  std::ifstream written(path("pit.geojson"));
+  const auto outline = nlohmann::json::parse(written)["features"][0];
+  EXPECT_EQ(outline["geometry"]["coordinates"][0].size(), 5u);
+  EXPECT_EQ(outline["properties"]["level_m"], 55.0);
+  const ProgramResult high = fill({"--level-m", "61"});
+  EXPECT_EQ(high.exit_code, 2);
+  EXPECT_THAT(high.errors,
+              testing::HasSubstr("--at: expected a level up to its spill level, 60 m, found 61 m"));
+}
+
 }  // namespace
 }  // namespace offing::test

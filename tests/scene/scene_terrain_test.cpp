@@ -283,6 +283,63 @@ TEST_F(SceneTerrainTest, HasTheLinesOfTheScene) {
   EXPECT_EQ(lines("[terrain]\nposts = 5\n").snow_line_m, world::CoverLines{}.snow_line_m);
 }
 
+/// Two pits in 9 x 5 posts 10 m apart: 3 m at (-20, 0), 4 m at (20, 0); a saddle of 7 m between them, 9 m
+/// around.
+std::string pits(const std::filesystem::path& folder) {
+  std::vector<float> heights_m(9 * 5, 9.0f);
+  heights_m[2 * 9 + 2] = 3.0f;
+  heights_m[2 * 9 + 3] = 6.0f;
+  heights_m[2 * 9 + 4] = 7.0f;
+  heights_m[2 * 9 + 5] = 6.5f;
+  heights_m[2 * 9 + 6] = 4.0f;
+  std::ofstream(folder / "pits.r32", std::ios::binary)
+      .write(reinterpret_cast<const char*>(heights_m.data()),
+             static_cast<std::streamsize>(sizeof(float) * heights_m.size()));
+  return "[terrain]\nfile = \"pits.r32\"\nraw_columns = 9\nraw_rows = 5\nspacing_x_m = 10\nspacing_z_m = "
+         "10\n";
+}
+
+// Fails if lakes of a scene are not where it says, have other levels, or are filled anew by an edit of
+// something else.
+TEST_F(SceneTerrainTest, FillsLakes) {
+  const std::string text =
+      pits(folder_.path()) +
+      "[[lake]]\nx_m = -20\nlevel_m = 6.5\nwind_speed_mps = 0\n[[lake]]\nx_m = 21\nlevel_m = 5\n";
+  const Scene before = scene_of(text, folder_.path());
+  const auto now = prepare_terrain(before);
+  ASSERT_EQ(now->lakes.size(), 2u);
+  EXPECT_EQ(now->lakes[0].lake->level_m, 6.5);
+  EXPECT_EQ(now->lakes[0].wind.wind_speed_mps, 0.0);
+  EXPECT_TRUE(now->lakes[0].lake->is_wet_at(2, 2));
+  EXPECT_FALSE(now->lakes[0].lake->is_wet_at(6, 2));
+  EXPECT_TRUE(now->lakes[1].lake->is_wet_at(6, 2));
+  const auto full = prepare_terrain(scene_of(pits(folder_.path()) + "[[lake]]\nx_m = -20\n", folder_.path()));
+  EXPECT_EQ(full->lakes[0].lake->level_m, 9.0);
+  Scene after = before;
+  after.lakes[0].wind_speed_mps = 4.0;
+  after.lakes[1].level_m = 6.0;
+  const auto edited = edited_terrain(now, before, after);
+  EXPECT_EQ(edited->lakes[0].lake, now->lakes[0].lake);
+  EXPECT_EQ(edited->lakes[0].wind.wind_speed_mps, 4.0);
+  EXPECT_EQ(edited->lakes[1].lake->level_m, 6.0);
+}
+
+// Fails if a lake that cannot be is taken, or refused without its place in the scene.
+TEST_F(SceneTerrainTest, RefusesLakesThatCannotBe) {
+  const auto fault = [&](const std::string& lakes) {
+    return fault_of(pits(folder_.path()) + lakes, folder_.path());
+  };
+  EXPECT_THAT(
+      fault("[[lake]]\nx_m = -20\nlevel_m = 9.5\n"),
+      HasSubstr("valley.toml:10:11: lake.level_m: expected a level up to its spill level, 9 m, found 9.5 m"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = -20\nlevel_m = 2\n"), HasSubstr("expected a level above the ground"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = 900\n"), HasSubstr("lake.x_m: expected a place on the map"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = -35\nz_m = 15\n"), HasSubstr("from where water runs off the map"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = -20\n[[lake]]\nx_m = 20\n"), HasSubstr("found water of lake 1 there"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = -20\nlevel_m = 5\n[ocean]\n[world]\nsea_level_m = 5.5\n"),
+              HasSubstr("lake.level_m: expected a level above the sea, 5.5 m, found 5 m"));
+}
+
 // Fails if the eye of a scene that does not place it is under the ground, or one that is placed is moved.
 TEST_F(SceneTerrainTest, PlacesTheEyeWhereNothingElseDoes) {
   Scene scene = scene_of("[terrain]\nposts = 33\norigin_x_m = 500\n[camera]\nfov_deg = 70\n");

@@ -59,6 +59,8 @@ const char* title(ParameterGroup group) {
       return "Height map";
     case ParameterGroup::walk:
       return "Walk";
+    case ParameterGroup::lake:
+      return "Lakes";
     case ParameterGroup::light:
       return "Lights";
     case ParameterGroup::mesh:

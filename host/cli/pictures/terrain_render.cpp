@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <type_traits>
 
@@ -11,6 +12,7 @@
 
 #include "host/base/parallel_for.h"
 #include "host/sky/sun_position.h"
+#include "host/terrain/cast/image_rays.h"
 #include "host/terrain/cast/step_colours.h"
 
 namespace offing::cli {
@@ -66,6 +68,26 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   if constexpr (std::is_same_v<Field, terrain::HeightField>) {
     if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);
   }
+  std::optional<terrain::LakeLayer> lakes;
+  if (!scenery.lakes.empty()) {
+    std::vector<std::shared_ptr<const terrain::Lake>> filled;
+    std::vector<terrain::LakeLook> looks;
+    for (const world::LakeSettings& each : scenery.lakes) {
+      filled.push_back(each.lake);
+      looks.push_back(
+          world::look_of_lake(each, camera.eye_m, 0.0, at_eye, std::sin(scenery.sun_elevation_rad)));
+    }
+    lakes.emplace(device, filled).set_looks(looks);
+    look.lakes = &*lakes;
+    ocl::Buffer<float> distances(device, picture.distances_m, "distances");
+    if constexpr (std::is_same_v<Field, terrain::HeightField>) {
+      lakes->stand_before(field.device_field(terrain::CastMethod::parity),
+                          terrain::device_view(camera, field.grid()), hits, distances);
+    } else {
+      lakes->stand_before(field.device_field(), field.device_view(camera), hits, distances);
+    }
+    picture.distances_m = distances.read();
+  }
   terrain::TerrainShade shade(device);
   shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, terrain, look);
   picture.refined_share = shade.refined_share();
@@ -107,6 +129,7 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
   const std::vector<TerrainHit> hits = hits_on_device.read();
   TerrainRender picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
+  for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
   if (show == TerrainShow::light) {
     draw_light(device, field, camera, scenery, hits_on_device, picture);
   }
@@ -116,7 +139,6 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
       const auto [red, green, blue] = terrain::step_colour(static_cast<float>(hit.steps));
       store(picture.image, pixel, {red, green, blue}, 0.0f);
     }
-    picture.distances_m.push_back(hit.distance_m);
     picture.terrain_pixels += hit.kind == TERRAIN_MISS ? 0 : 1;
     picture.mean_steps += hit.steps / static_cast<double>(hits.size());
   }

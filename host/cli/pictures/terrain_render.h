@@ -11,6 +11,7 @@
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "host/terrain/tiles/tiled_field.h"
+#include "host/world/lake_look.h"
 #include "host/world/terrain_light.h"
 
 namespace offing::cli {
@@ -24,6 +25,7 @@ struct TerrainScenery {
   terrain::Sampling sampling = {};
   std::optional<ColourMap> colours = {};  ///< none: cover by height and slope
   bool sees_horizons = true;              ///< whether ground hides the sky from ground
+  std::vector<world::LakeSettings> lakes = {};
 };
 
 /// What a picture shows.

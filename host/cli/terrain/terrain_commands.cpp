@@ -12,6 +12,7 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options) {
   add_terrain_fly_command(*terrain, options);
   add_terrain_height_command(*terrain, options);
   add_terrain_profile_command(*terrain, options);
+  add_terrain_lake_command(*terrain, options);
   add_terrain_ray_command(*terrain, options);
   add_terrain_los_command(*terrain, options);
   add_terrain_viewshed_command(*terrain, options);

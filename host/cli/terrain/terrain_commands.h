@@ -25,6 +25,9 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options);
 /// `offing terrain height FILE --at X,Z`: height, normal and slope of the ground at a point.
 void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options);
 
+/// `offing terrain lake FILE --at X,Z`: water in a basin.
+void add_terrain_lake_command(CLI::App& terrain, GlobalOptions& options);
+
 /// `offing terrain profile FILE --from X,Z --to X,Z`: heights along a line.
 void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options);
 

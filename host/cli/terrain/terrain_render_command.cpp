@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,6 +26,8 @@
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/scene/model/terrain_scene.h"
 #include "host/scene/prepare/stored_terrain.h"
+#include "host/terrain/lakes/lake.h"
+#include "host/terrain/tiles/tile_posts.h"
 
 namespace offing::cli {
 
@@ -44,6 +49,7 @@ struct TerrainRenderArguments {
   CacheFlags cache;
   PlaceFlags places;
   std::string camera = "fly", size = "1280x720", output, depth, sun, colour;
+  std::vector<std::string> lakes;
   SettingOptions<RenderSettings> settings;
   bool json = false;
   Existing existing = Existing::keep;
@@ -103,6 +109,22 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
   return scenery;
 }
 
+/// Of `--lake X,Z` and `--lake X,Z,LEVEL`.
+void add_lakes(const TerrainRenderArguments& arguments, const PlaceSystem& system,
+               const terrain::TerrainPosts& posts, TerrainScenery& scenery) {
+  for (const std::string& text : arguments.lakes) {
+    const bool has_level = std::ranges::count(text, ',') == 2;
+    const GivenPlace given = read_place("--lake", text, has_level ? PlaceForm::above_ground : PlaceForm::plan,
+                                        system.name(), has_level ? "1200,350.5,2600" : "1200,350.5");
+    const glm::dvec2 place_m = system.within_map("--lake", given.place);
+    const std::optional<double> level_m = has_level ? std::optional(given.height_m) : std::nullopt;
+    world::LakeSettings lake;
+    lake.lake = std::make_shared<const terrain::Lake>(
+        terrain::fill_lake(posts, place_m.x, place_m.y, level_m, "--lake"));
+    scenery.lakes.push_back(std::move(lake));
+  }
+}
+
 void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m,
                  Existing existing) {
   const ExrImage image{
@@ -131,6 +153,7 @@ Rendered render_map(const TerrainRenderArguments& arguments, const RenderSetting
   TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
+  add_lakes(arguments, system, terrain::posts_of(file.map), scenery);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
@@ -151,6 +174,14 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   const PlaceSystem system(frame_of(arguments.input.file(), scene::place_of(header)),
                            arguments.places.system());
   const Camera camera = read_camera(arguments, settings, system, camera_terrain(field));
+  if (!arguments.lakes.empty() && field.map().edge != terrain::MapEdge::ends) {
+    throw Error(ErrorKind::bad_usage, "--lake: expected a map that ends at its edges, found --edge",
+                "leave out --edge");
+  }
+  add_lakes(
+      arguments, system,
+      terrain::posts_of(scene::tiled_map(header), scene::tile_reader(store), terrain::Unreadable::refused),
+      scenery);
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
   return {camera, eye_in(system, camera), draw_terrain(device, field, camera, scenery, settings.show)};
@@ -218,6 +249,11 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   add("--colour", arguments->colour, "FILE",
       "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference; stretched "
       "over the map if it has none");
+  command
+      ->add_option("--lake", arguments->lakes,
+                   "draw the lake at this place, full or up to a LEVEL in m; may be repeated")
+      ->type_name("X,Z[,LEVEL]")
+      ->group("Picture");
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
@@ -228,6 +264,7 @@ Examples:
   offing terrain render S33W071.tif -o andes.png
   offing terrain render S33W071.tif --camera walk --sun 300,12 --size 1920x1080 -o dusk.png --depth dusk.exr
   offing terrain render dem.tif --colour orthophoto.tif --camera 4000,2500,9000,20,-15 -o valley.png
+  offing terrain render S33W071.tif --camera walk --lake 47000,55000 -o lake.png
   offing terrain render heights.r16 --raw-size 1025x1025 --spacing-m 75 --show steps -o steps.png)");
   command->callback([arguments, &options] { run(*arguments, options); });
 }

@@ -15,6 +15,7 @@
 #include "host/scene/model/body_scene.h"
 #include "host/scene/model/bookmark_scene.h"
 #include "host/scene/model/cloud_scene.h"
+#include "host/scene/model/lake_scene.h"
 #include "host/scene/model/mesh_scene.h"
 #include "host/scene/model/ocean_section.h"
 #include "host/scene/model/terrain_scene.h"
@@ -65,6 +66,7 @@ struct Scene {
   ocean::Wind wind;
   OceanSection ocean;
   TerrainScene terrain;
+  std::vector<LakeScene> lakes;
   std::vector<LightScene> lights;
   std::vector<MeshScene> meshes;
   std::vector<BodyScene> bodies;

@@ -24,6 +24,7 @@
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/terrain/generate/fractal_terrain.h"
+#include "host/terrain/lakes/lake.h"
 #include "host/terrain/walk/eye_place.h"
 #include "host/terrain/walk/flying_camera.h"
 
@@ -152,8 +153,56 @@ world::CoverLines cover_of(const Scene& scene, std::optional<double> latitude_de
   return lines;
 }
 
+/// Where a scene says where a lake is.
+std::string place_of_lake(const Scene& scene, std::size_t index) {
+  for (const char* key : {"lake.level_m", "lake.x_m", "lake.z_m"}) {
+    const auto place = scene.set_at.find(ValueKey(key, {index, 0}));
+    if (place != scene.set_at.end()) return place->second;
+  }
+  return fmt::format("lake {}", index + 1);
+}
+
+/// The lakes of a scene on its ground. What fills them is kept of a scene with the same heights, `before`.
+std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::TerrainParameters& terrain,
+                                          const Scene* before,
+                                          const std::vector<world::LakeSettings>& known) {
+  std::vector<world::LakeSettings> lakes;
+  const terrain::TerrainPosts posts = terrain.posts();
+  for (std::size_t i = 0; i < scene.lakes.size(); ++i) {
+    const LakeScene& each = scene.lakes[i];
+    world::LakeSettings& lake = lakes.emplace_back();
+    lake.wind = {.wind_speed_mps = each.wind_speed_mps, .wind_direction_rad = each.wind_direction_rad};
+    lake.water = each.water;
+    for (std::size_t j = 0; before != nullptr && j < std::min(known.size(), before->lakes.size()); ++j) {
+      const LakeScene& old = before->lakes[j];
+      if (old.x_m == each.x_m && old.z_m == each.z_m && old.level_m == each.level_m)
+        lake.lake = known[j].lake;
+    }
+    const std::string place = place_of_lake(scene, i);
+    if (!lake.lake) {
+      lake.lake = std::make_shared<const terrain::Lake>(terrain::fill_lake(
+          posts, each.x_m - terrain.origin_x_m, each.z_m - terrain.origin_z_m, each.level_m, place));
+    }
+    if (scene.has_sea() && lake.lake->level_m <= scene.sea_level_m()) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a level above the sea, {:.7g} m, found {:.7g} m", place,
+                              scene.sea_level_m(), lake.lake->level_m),
+                  "choose a higher level, or a lower world.sea_level_m");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!terrain::overlap(*lakes[j].lake, *lake.lake)) continue;
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a lake of its own, found water of lake {} there", place, j + 1),
+                  "remove one of them");
+    }
+  }
+  return lakes;
+}
+
 world::TerrainParameters placed(const Scene& scene, const Heights& heights,
-                                std::shared_ptr<const ColourMap> colours) {
+                                std::shared_ptr<const ColourMap> colours,
+                                const std::optional<world::TerrainParameters>& now = {},
+                                const Scene* before = nullptr) {
   world::TerrainParameters terrain{
       .map = heights.map,
       .tiles = heights.tiles,
@@ -164,6 +213,10 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
   const terrain::TerrainExtent extent = terrain.extent();
   terrain.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
   terrain.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);
+  const bool is_same_place =
+      now && now->origin_x_m == terrain.origin_x_m && now->origin_z_m == terrain.origin_z_m;
+  terrain.lakes = lakes_of(scene, terrain, is_same_place ? before : nullptr,
+                           now ? now->lakes : std::vector<world::LakeSettings>());
   return terrain;
 }
 
@@ -181,23 +234,23 @@ std::optional<world::TerrainParameters> edited_terrain(const std::optional<world
   if (!after.terrain.is_given || are_other_heights) return prepare_terrain(after);
   const Heights heights{.map = now->map, .tiles = now->tiles, .latitude_deg = now->latitude_deg};
   const bool are_same_colours = before.terrain.colour == after.terrain.colour;
-  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights));
+  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights), now, &before);
 }
 
 void stand_on_ground(const world::WorldTerrain& terrain, ViewScene& view) {
   glm::dvec3& eye_m = view.camera.eye_m;
-  const std::optional<terrain::TerrainPoint> below = terrain.terrain_at(eye_m.x, eye_m.z);
-  if (!below) return;
-  if (view.mode == CameraMode::walk) eye_m.y = below->height_m + view.walker.eye_height_m;
-  terrain::lift_out_of_terrain(eye_m, below->height_m, view.walker.eye_height_m);
+  const std::optional<double> below_m = terrain.surface_m(eye_m.x, eye_m.z);
+  if (!below_m) return;
+  if (view.mode == CameraMode::walk) eye_m.y = *below_m + view.walker.eye_height_m;
+  terrain::lift_out_of_terrain(eye_m, *below_m, view.walker.eye_height_m);
 }
 
 std::optional<std::string> eye_warning(const world::WorldTerrain& terrain, ViewScene view, bool has_sea) {
   glm::dvec3& eye_m = view.camera.eye_m;
   const world::TerrainParameters& parameters = terrain.parameters();
-  const std::optional<terrain::TerrainPoint> below = terrain.terrain_at(eye_m.x, eye_m.z);
+  const std::optional<double> below = terrain.surface_m(eye_m.x, eye_m.z);
   if (below && view.mode != CameraMode::walk) {
-    return terrain::lift_out_of_terrain(eye_m, below->height_m, view.walker.eye_height_m);
+    return terrain::lift_out_of_terrain(eye_m, *below, view.walker.eye_height_m);
   }
   if (below || has_sea) return std::nullopt;
   return terrain::warning_off_map(eye_m, parameters.extent(), parameters.origin_x_m, parameters.origin_z_m);

@@ -37,6 +37,7 @@ enum class ParameterGroup {
   terrain,
   height_map,
   walk,
+  lake,
   light,
   mesh,
   highlight,

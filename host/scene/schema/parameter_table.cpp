@@ -10,7 +10,7 @@ namespace {
 
 // The largest counts keep hostile scenes cheap, but for those of bodies: the shaders of the water keep so
 // many dry (present/passes/water/hull_mask.glsl).
-constexpr std::size_t max_bookmarks = 64, max_lights = 32, max_meshes = 256, max_bodies = 16;
+constexpr std::size_t max_bookmarks = 64, max_lights = 32, max_lakes = 16, max_meshes = 256, max_bodies = 16;
 constexpr std::size_t max_cloud_layers = 64, max_clouds = 4096;
 
 /// The sections of a scene.
@@ -27,6 +27,7 @@ Schema<Scene> scene_schema() {
       .section(&Scene::view, sun_schema())
       .section(&Scene::view, sky_schema())
       .section(&Scene::terrain, terrain_schema())
+      .list(&Scene::lakes, max_lakes, lake_schema())
       .list(&Scene::lights, max_lights, light_schema())
       .list(&Scene::meshes, max_meshes, mesh_schema())
       .list(&Scene::bodies, max_bodies, body_schema())

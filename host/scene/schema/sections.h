@@ -26,6 +26,7 @@ Schema<ViewScene> sky_schema();
 Schema<BookmarkScene> bookmark_schema();
 
 Schema<TerrainScene> terrain_schema();
+Schema<LakeScene> lake_schema();
 Schema<LightScene> light_schema();
 Schema<MeshScene> mesh_schema();
 Schema<HighlightScene> highlight_schema();

@@ -28,6 +28,21 @@ void require_valid(const Sampling& sampling) {
   }
 }
 
+/// Launches a kernel with the arguments of lakes, or none.
+template <class Launch>
+void with(const LakeLayer* lakes, const Launch& launch) {
+  if (lakes != nullptr) {
+    launch(lakes->waters(), lakes->cells(), lakes->waves(), lakes->count());
+  } else {
+    launch();
+  }
+}
+
+ocl::Defines with_lakes(ocl::Defines defines, const LakeLayer* lakes) {
+  if (lakes != nullptr) defines.set("LAKES", 1);
+  return defines;
+}
+
 }  // namespace
 
 TerrainShade::TerrainShade(const ocl::Device& device)
@@ -46,10 +61,12 @@ TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
                       const TerrainIllumination& light, ocl::Buffer<Texel>& image,
                       const TerrainAppearance& look) {
-  if (!map_kernels_) {
-    map_kernels_ = build(ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
+  std::optional<Kernels>& kernels = map_kernels_[look.lakes != nullptr ? 1 : 0];
+  if (!kernels) {
+    kernels = build(with_lakes(
+        ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT), look.lakes));
   }
-  paint(*map_kernels_,
+  paint(*kernels,
         {field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
          device_view(camera, field.grid())},
         camera, hits, light, image, look);
@@ -62,8 +79,9 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
     throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
                 "leave open_sky out");
   }
-  std::optional<Kernels>& kernels = tile_kernels_[static_cast<std::size_t>(field.map().edge)];
-  if (!kernels) kernels = build(tiles_defines(rays_.lanes, field.map().edge));
+  std::optional<Kernels>& kernels =
+      tile_kernels_[static_cast<std::size_t>(field.map().edge)][look.lakes != nullptr ? 1 : 0];
+  if (!kernels) kernels = build(with_lakes(tiles_defines(rays_.lanes, field.map().edge), look.lakes));
   paint(*kernels, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)}, camera,
         hits, light, image, look);
 }
@@ -94,17 +112,21 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
   if (!refines_all) {
-    kernels.shade.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
-                         terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
-                         shares, shadow, shadow_map, image, edges_);
+    with(look.lakes, [&](const auto&... lakes) {
+      kernels.shade.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
+                           terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
+                           shares, shadow, shadow_map, lakes..., image, edges_);
+    });
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, edges_,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
-  kernels.refine.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
-                        terrain.view, light.light, light.sky, light.view_table, device_look, colours, shares,
-                        shadow, shadow_map, needs_, sampling.rays, image);
+  with(look.lakes, [&](const auto&... lakes) {
+    kernels.refine.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
+                          terrain.view, light.light, light.sky, light.view_table, device_look, colours,
+                          shares, shadow, shadow_map, lakes..., needs_, sampling.rays, image);
+  });
 }
 
 double TerrainShade::refined_share() const {

@@ -11,6 +11,7 @@
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 #include "host/terrain/field/height_field.h"
+#include "host/terrain/lakes/lake_layer.h"
 #include "host/terrain/shading/colour_layer.h"
 #include "host/terrain/shading/open_sky.h"
 #include "host/terrain/tiles/tiled_field.h"
@@ -62,6 +63,7 @@ struct TerrainAppearance {
   const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
   SeaOverTerrain sea = {};
+  const LakeLayer* lakes = nullptr;  ///< none: there are none
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft
@@ -104,9 +106,9 @@ class TerrainShade {
 
   ocl::Device device_;
   ocl::KernelTuning rays_;
-  // Built when they are first asked for; those of tiles by MapEdge.
-  std::optional<Kernels> map_kernels_;
-  std::array<std::optional<Kernels>, 3> tile_kernels_;
+  // Built when they are first asked for: without lakes and with them; those of tiles by MapEdge.
+  std::array<std::optional<Kernels>, 2> map_kernels_;
+  std::array<std::array<std::optional<Kernels>, 2>, 3> tile_kernels_;
   ocl::Kernel contrast_kernel_;
   ocl::Buffer<std::uint32_t> no_colours_;
   ocl::Buffer<std::uint8_t> no_shares_;

@@ -169,6 +169,19 @@ AddedObject add_layer(Scene& scene, clouds::Genus genus, const NewPlace& place) 
           fmt::format("added a layer of {} clouds", clouds::range_of(genus).name)};
 }
 
+AddedObject add_lake(Scene& scene, const NewPlace& place) {
+  if (!scene.terrain.is_given)
+    throw Error(ErrorKind::bad_usage, "lake: expected terrain with a basin, found none", "add terrain first");
+  const std::string name = unused_name(scene.lakes, "lake");
+  append(scene, "lake.name");
+  scene::LakeScene& lake = scene.lakes.back();
+  lake.name = name;
+  lake.x_m = place.place_m.x;
+  lake.z_m = place.place_m.z;
+  return {{ObjectKind::lake, scene.lakes.size() - 1},
+          fmt::format("added {}, as full as its basin holds", name)};
+}
+
 AddedObject add_section(Scene& scene, ObjectKind kind, bool& is_given, std::string_view word) {
   const bool is_there = kind == ObjectKind::sea ? scene.has_sea() : is_given;
   if (is_there) {
@@ -234,6 +247,8 @@ AddedObject add_object(Scene& scene, const NewObject& object, const NewPlace& pl
     case terrain:
       added = add_section(scene, ObjectKind::terrain, scene.terrain.is_given, "terrain");
       break;
+    case lake:
+      return add_lake(scene, place);
     case bookmark:
       added.object = {ObjectKind::bookmark, scene.bookmarks.size()};
       added.news = set_bookmark(scene, place.camera, scene.bookmarks.size() + 1);

@@ -10,7 +10,7 @@ namespace offing::present {
 
 /// What a user can add to a scene.
 struct NewObject {
-  enum class Kind { boat, mesh, light, cloud, cloud_layer, sea, terrain, bookmark };
+  enum class Kind { boat, mesh, light, cloud, cloud_layer, sea, terrain, lake, bookmark };
   Kind kind = Kind::boat;
   std::size_t shape = 0;                         ///< of a mesh: index of mesh_shapes::shapes()
   clouds::Genus genus = clouds::Genus::cumulus;  ///< of a cloud or a layer

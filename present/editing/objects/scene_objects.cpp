@@ -44,6 +44,7 @@ constexpr std::array kind_rows{KindRow{ObjectKind::camera, "camera", "", false},
                                KindRow{ObjectKind::sea, "sea", "", false},
                                KindRow{ObjectKind::wake, "wake", "ocean.wake.length_m", false},
                                KindRow{ObjectKind::terrain, "terrain", "", false},
+                               KindRow{ObjectKind::lake, "lake", "lake.name", true},
                                KindRow{ObjectKind::cloud_layer, "cloud layer", "cloud_layer.coverage", false},
                                KindRow{ObjectKind::cloud, "cloud", "cloud.name", true},
                                KindRow{ObjectKind::mesh, "mesh", "mesh.name", true},
@@ -295,6 +296,8 @@ std::size_t count_of(const Scene& scene, ObjectKind kind) {
       return scene.has_sea() ? 1 : 0;
     case ObjectKind::terrain:
       return scene.terrain.is_given ? 1 : 0;
+    case ObjectKind::lake:
+      return scene.terrain.is_given ? scene.lakes.size() : 0;
     case ObjectKind::wake:
       return scene.has_sea() ? scene.ocean.wakes.size() : 0;
     default:
@@ -340,6 +343,8 @@ std::vector<scene::ParameterGroup> groups_of(ObjectKind kind) {
       return {wake};
     case ObjectKind::terrain:
       return {terrain};
+    case ObjectKind::lake:
+      return {lake};
     case ObjectKind::cloud_layer:
       return {cloud_layer};
     case ObjectKind::cloud:
@@ -383,7 +388,8 @@ bool can_be_removed(const Scene& scene, const SceneObject& object) {
 }
 
 bool can_be_duplicated(const SceneObject& object) {
-  return !row_of(object.kind).key.empty() && object.kind != ObjectKind::bookmark;
+  return !row_of(object.kind).key.empty() && object.kind != ObjectKind::bookmark &&
+         object.kind != ObjectKind::lake;
 }
 
 void remove_object(Scene& scene, const SceneObject& object) {
@@ -401,6 +407,8 @@ void remove_object(Scene& scene, const SceneObject& object) {
     case ObjectKind::terrain:
       scene.terrain = {};
       forget_values(scene, "terrain");
+      scene.lakes.clear();
+      forget_values(scene, "lake");
       break;
     case ObjectKind::mesh:
       remove_mesh(scene, object.index);

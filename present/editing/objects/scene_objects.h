@@ -13,7 +13,7 @@
 namespace offing::present {
 
 /// What a user can select in a scene. The order is that of the list of objects.
-enum class ObjectKind { camera, bookmark, sky, sea, wake, terrain, cloud_layer, cloud, mesh, body, light };
+enum class ObjectKind { camera, bookmark, sky, sea, wake, terrain, lake, cloud_layer, cloud, mesh, body, light };
 
 /// One of them: of a list such as [[mesh]] which one.
 struct SceneObject {

@@ -266,5 +266,23 @@ TEST(NewObjectsTest, BoatsHaveHullBodyAndWake) {
   EXPECT_EQ(text_of(scene), text);
 }
 
+// Fails if a lake is not where the camera looks, is not listed with the terrain, or stays when that goes.
+TEST(NewObjectsTest, LakesLieOnTerrain) {
+  const NewPlace place{.camera = {}, .place_m = glm::dvec3(120.0, 30.0, -40.0)};
+  scene::Scene scene;
+  EXPECT_THROW(add_object(scene, {.kind = NewObject::Kind::lake}, place), Error) << "there is no basin";
+  scene.terrain.is_given = true;
+  const AddedObject added = add_object(scene, {.kind = NewObject::Kind::lake}, place);
+  EXPECT_EQ(added.object, (SceneObject{ObjectKind::lake, 0}));
+  EXPECT_EQ(scene.lakes.at(0).x_m, 120.0);
+  EXPECT_EQ(scene.lakes[0].z_m, -40.0);
+  EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"camera", "sun and sky", "terrain", "lake"}));
+  rename_object(scene, added.object, "tarn");
+  EXPECT_EQ(scene::parse_scene(text_of(scene), "tarn.toml", "").lakes.at(0).name, "tarn");
+  EXPECT_FALSE(can_be_duplicated(added.object)) << "water is there already";
+  remove_object(scene, {ObjectKind::terrain, 0});
+  EXPECT_TRUE(scene.lakes.empty());
+}
+
 }  // namespace
 }  // namespace offing::present

@@ -22,12 +22,13 @@ TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
 
 /// All but that of height maps, whose values are as a file has them: window_terrain_test.cpp; those of what a
 /// world has beside its sea: world_panels_test.cpp, cloud_panels_test.cpp; and those of bookmarks:
-/// window_bookmarks_test.cpp.
+/// window_bookmarks_test.cpp. Places of lakes are only in basins: scene_objects_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
     return panel.group == scene::ParameterGroup::height_map || is_of_world(panel.group) ||
-           panel.group == scene::ParameterGroup::bookmark || is_of_clouds(panel.group);
+           panel.group == scene::ParameterGroup::bookmark || panel.group == scene::ParameterGroup::lake ||
+           is_of_clouds(panel.group);
   });
   return panels;
 }

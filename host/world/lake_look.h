@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include <glm/vec3.hpp>
+
+#include "host/ocean/spectrum/wind.h"
+#include "host/ocean/surface/water_optics.h"
+#include "host/sky/clear_sky.h"
+#include "host/terrain/lakes/lake_layer.h"
+
+namespace offing::world {
+
+/// A lake of a world: its water, the wind over it, and how clear it is.
+struct LakeSettings {
+  std::shared_ptr<const terrain::Lake> lake;
+  ocean::Wind wind{.wind_speed_mps = 2.0};
+  ocean::WaterType water = ocean::WaterType::oceanic_3;
+
+  bool operator==(const LakeSettings&) const = default;
+};
+
+/// What a lake looks like from an eye (x, y, z) m of axes whose origin stays, in this light. Its waves are
+/// those that the wind raises over a way as long as the lake is wide: as many octaves as there are from the
+/// longest down to 15 cm have equal shares of the slopes measured in such a wind (Cox & Munk 1954), and
+/// ripples have the rest. Without wind the water is a mirror.
+terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& eye_m, double time_s,
+                               const sky::Illuminance& light, double sun_rise);
+
+}  // namespace offing::world

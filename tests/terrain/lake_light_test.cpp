@@ -1,0 +1,187 @@
+// Pictures of lakes whose water is still and black: what they mirror, and where, against geometry in double
+// precision.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "host/terrain/cast/image_rays.h"
+#include "host/terrain/lakes/lake_layer.h"
+#include "tests/terrain/terrain_painter.h"
+
+namespace offing {
+namespace {
+
+using terrain::Lake;
+using terrain::Texel;
+
+constexpr int posts_a_side = 65;
+constexpr double spacing_m = 2.0;
+
+/// Ground of 128 x 128 m with a lake, and pictures of it with one ray a pixel.
+class LakeScene {
+ public:
+  LakeScene(const std::function<double(double, double)>& height_m, double level_m)
+      : map_{.name = "made",
+             .grid = {.columns = posts_a_side,
+                      .rows = posts_a_side,
+                      .spacing_x_m = spacing_m,
+                      .spacing_z_m = spacing_m},
+             .heights_m = {}} {
+    for (int row = 0; row < posts_a_side; ++row) {
+      for (int column = 0; column < posts_a_side; ++column)
+        map_.heights_m.push_back(static_cast<float>(height_m(spacing_m * column, spacing_m * row)));
+    }
+    posts_ = {.columns = posts_a_side,
+              .rows = posts_a_side,
+              .spacing_x_m = spacing_m,
+              .spacing_z_m = spacing_m,
+              .height_m =
+                  [this](int column, int row) {
+                    return map_.heights_m[static_cast<std::size_t>(row * posts_a_side + column)];
+                  },
+              .is_void = [](int, int) { return false; }};
+    lake_ = std::make_shared<const Lake>(terrain::fill_lake(posts_, 64.0, 64.0, level_m));
+    painter_ = std::make_unique<test::TerrainPainter>(map_, test::PaintedTerrain());
+    layer_ = std::make_unique<terrain::LakeLayer>(painter_->device(), std::vector{lake_});
+    terrain::LakeLook black;
+    black.water.attenuation_red_perm = black.water.attenuation_green_perm =
+        black.water.attenuation_blue_perm = 1e3f;
+    layer_->set_looks({&black, 1});
+  }
+
+  std::vector<Texel> draw(const Camera& camera, bool has_lake) {
+    return painter_->draw(camera, {.sampling = {.rays = 1}, .lakes = has_lake ? layer_.get() : nullptr});
+  }
+
+  /// Distances of the ground and the water.
+  std::vector<float> distances_m(const Camera& camera) {
+    const auto pixels = static_cast<std::size_t>(camera.width_px * camera.height_px);
+    const terrain::HeightField& field = painter_->field();
+    terrain::HeightField own(painter_->device(), map_.grid, map_.heights_m);
+    ocl::Buffer<TerrainHit> hits(painter_->device(), pixels, "hits");
+    own.cast(camera, hits);
+    std::vector<float> distances_m;
+    for (const TerrainHit& hit : hits.read()) distances_m.push_back(hit.distance_m);
+    ocl::Buffer<float> planes(painter_->device(), distances_m, "distances");
+    layer_->stand_before(field.device_field(terrain::CastMethod::parity),
+                         terrain::device_view(camera, field.grid()), hits, planes);
+    return planes.read();
+  }
+
+  double depth_m(double x_m, double z_m) const { return terrain::depth_of_lake(*lake_, posts_, x_m, z_m); }
+  double level_m() const { return lake_->level_m; }
+
+ private:
+  test::HeightMap map_;
+  terrain::TerrainPosts posts_;
+  std::shared_ptr<const Lake> lake_;
+  std::unique_ptr<test::TerrainPainter> painter_;
+  std::unique_ptr<terrain::LakeLayer> layer_;
+};
+
+glm::dvec3 ray_of(const Camera& camera, int column, int row) {
+  return glm::normalize(ray_direction(
+      camera, {(2.0 * column + 1.0) / camera.width_px - 1.0, 1.0 - (2.0 * row + 1.0) / camera.height_px}));
+}
+
+/// Fresnel's equations for water, unpolarised.
+double mirrored_share(double cosine) {
+  const double n = 1.333, inside = std::sqrt(n * n - 1.0 + cosine * cosine);
+  const double across = (cosine - inside) / (cosine + inside);
+  const double along = (n * n * cosine - inside) / (n * n * cosine + inside);
+  return 0.5 * (across * across + along * along);
+}
+
+// Fails if water is drawn beyond its shore or left out within, mirrors another share of the sky, or stands at
+// another distance: a bowl from above.
+TEST(LakeLightTest, MirrorsTheSkyWithinItsShore) {
+  LakeScene scene(
+      [](double x_m, double z_m) {
+        return std::min(10.0, 0.005 * (std::pow(x_m - 64.0, 2) + std::pow(z_m - 64.0, 2)));
+      },
+      6.0);
+  const Camera camera{.eye_m = {64.0, 80.0, 64.0},
+                      .pitch_rad = -1.57079,
+                      .vertical_field_of_view_rad = 0.9,
+                      .width_px = 61,
+                      .height_px = 45};
+  const std::vector<Texel> dry = scene.draw(camera, false), wet = scene.draw(camera, true);
+  const std::vector<float> distances_m = scene.distances_m(camera);
+  int on_water = 0, on_land = 0;
+  for (int row = 0; row < camera.height_px; ++row) {
+    for (int column = 0; column < camera.width_px; ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(row * camera.width_px + column);
+      const glm::dvec3 ray = ray_of(camera, column, row);
+      const double way_m = (scene.level_m() - camera.eye_m.y) / ray.y;
+      const glm::dvec3 place_m = camera.eye_m + way_m * ray;
+      const double depth_m = scene.depth_m(place_m.x, place_m.z);
+      if (depth_m > 0.2) {
+        ++on_water;
+        EXPECT_NEAR(wet[pixel][0], 3.0 * mirrored_share(-ray.y), 0.01 * 3.0 * mirrored_share(-ray.y));
+        EXPECT_NEAR(distances_m[pixel], way_m, 1e-3);
+      } else if (scene.depth_m(place_m.x + 1.0, place_m.z) == 0.0 &&
+                 scene.depth_m(place_m.x - 1.0, place_m.z) == 0.0 && depth_m == 0.0) {
+        ++on_land;
+        EXPECT_NEAR(wet[pixel][0], dry[pixel][0], 1e-5);
+      }
+    }
+  }
+  EXPECT_GT(on_water, 500);
+  EXPECT_GT(on_land, 500);
+}
+
+// Fails if still water mirrors the shore across it anywhere but where a mirror would: a hillside that rises
+// at 45 degrees in the east, which has one light.
+TEST(LakeLightTest, MirrorsTheGroundAcross) {
+  LakeScene scene(
+      [](double x_m, double z_m) {
+        const bool is_rim = x_m < 24.0 || z_m < 10.0 || z_m > 118.0;
+        return std::max(is_rim ? 10.0 : 0.0, x_m - 80.0);
+      },
+      6.0);
+  const Camera camera{.eye_m = {10.0, 14.0, 64.0},
+                      .yaw_rad = 0.5 * 3.14159265358979,
+                      .pitch_rad = -0.1,
+                      .vertical_field_of_view_rad = 0.9,
+                      .width_px = 40,
+                      .height_px = 64};
+  const std::vector<Texel> image = scene.draw(camera, true);
+  double hillside = 0.0;
+  int of_hill = 0, of_sky = 0;
+  for (int row = 0; row < camera.height_px; ++row) {
+    for (int column = 15; column < 25; ++column) {
+      const glm::dvec3 ray = ray_of(camera, column, row);
+      const double seen = image[static_cast<std::size_t>(row * camera.width_px + column)][0];
+      const double to_hill_m = (camera.eye_m.y + 80.0 - camera.eye_m.x) / (ray.x - ray.y);
+      const double height_m = camera.eye_m.y + to_hill_m * ray.y;
+      if (height_m > 10.0 && height_m < 40.0) hillside = seen;
+      const double way_m = (scene.level_m() - camera.eye_m.y) / ray.y;
+      const glm::dvec3 place_m = camera.eye_m + way_m * ray;
+      if (way_m < 0.0 || scene.depth_m(place_m.x, place_m.z) < 1.0) continue;
+      const bool is_over_rim = camera.eye_m.y + 14.0 * ray.y / ray.x > 10.0;
+      if (!is_over_rim) continue;
+      // The mirrored ray rises as the other falls.
+      const double across_m = (scene.level_m() + 80.0 - place_m.x) / (ray.x + ray.y);
+      const double top_m = scene.level_m() - across_m * ray.y;
+      const double share = mirrored_share(-ray.y);
+      if (across_m > 0.0 && top_m < 46.0) {
+        ++of_hill;
+        EXPECT_NEAR(seen, hillside * share, 0.02 * hillside * share) << column << ' ' << row;
+      } else if (across_m < 0.0 || top_m > 50.0) {
+        ++of_sky;
+        EXPECT_NEAR(seen, 3.0 * share, 0.01 * 3.0 * share) << column << ' ' << row;
+      }
+    }
+  }
+  EXPECT_GT(hillside, 0.0);
+  EXPECT_GT(of_hill, 50);
+  RecordProperty("of_sky", of_sky);
+}
+
+}  // namespace
+}  // namespace offing
