@@ -139,7 +139,10 @@ bool Viewer::is_at_rest() const {
 /// Waits for input where nothing is left to draw.
 void Viewer::take_events() {
   constexpr double longest_wait_s = 0.25;
-  if (is_at_rest()) {
+  const bool is_resting = is_at_rest();
+  // Edits, pictures at other sizes and clouds that were made leave much behind that is freed.
+  if (!std::exchange(was_at_rest_, is_resting) && is_resting) give_back_freed_memory();
+  if (is_resting) {
     control_.rest();
     glfwWaitEventsTimeout(longest_wait_s);
     last_turn_s_ = glfwGetTime();  // nothing has moved meanwhile

@@ -162,6 +162,7 @@ class Viewer {
   scene::Scene path_;  // those keyframes, as edited, and the view of the scene's file; no more
   std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
+  bool was_at_rest_ = false;
   bool is_recorded_ = false;  // the whole recording is
   FullScreen full_screen_;
 };

@@ -21,8 +21,9 @@ NO_PATHS = set(
 )
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
 
-# Flags that name what is read, and one of offing-bench that its help does not tell apart.
-READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--swell", "--device"}
+# Flags that name what is read or is no file, and one of offing-bench that its help does not tell apart.
+READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--swell", "--lake",
+        "--device"}
 
 MAP = ["map.r32", "--raw-size", "9x9", "--spacing-m", "10"]
 DAY = ["--from", "2026-06-21", "--to", "2026-06-21", "--latitude-deg", "46", "--longitude-deg", "8"]
@@ -85,6 +86,7 @@ CASES = [
     Case("offing terrain sky", "--horizons", ["map.asc", "-o", "fresh.tif"], ["map.asc", "map.prj"], "out.tif"),
     Case("offing terrain sun", "-o", ["map.asc", *DAY], ["map.asc", "map.prj"], "out.tif"),
     Case("offing terrain sun", "--masks", ["map.asc", *DAY, "-o", "fresh.tif"], ["map.asc", "map.prj"], "out.tif"),
+    Case("offing terrain lake", "-o", ["basin.asc", "--at", "20,20"], ["basin.asc"], "out.geojson"),
     Case("offing terrain profile", "-o", [*MAP, "--from", "0,0", "--to", "9,9"], ["map.r32"], "out.csv"),
     Case("offing terrain generate", "-o", [], [], "out.tif"),
     Case("offing terrain tile", "-o", MAP, ["map.r32"], "out", "out/0/0000/0000.tile"),
@@ -219,6 +221,7 @@ def write_inputs(outputs):
     write("pairs.csv", "10,20,2,50,40,3\n")
     (work / "map.r32").write_bytes(bytes(4 * 81))
     write("map.asc", "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 10\n" + "1.5 2 3\n" * 3)
+    write("basin.asc", "ncols 5\nnrows 5\nxllcenter 0\nyllcenter 0\ncellsize 10\n" + "9 9 9 9 9\n" * 2 + "9 9 1 9 9\n" + "9 9 9 9 9\n" * 2)
     write("map.prj", 'LOCAL_CS["flat",UNIT["metre",1]]')
     outputs_of = {"source.tif": ["offing", "terrain", "generate", "--posts", "9", "-o", "source.tif"],
                   "store": ["offing", "terrain", "tile", *MAP, "-o", "store"]}

@@ -7,6 +7,7 @@
 #include "present/passes/meshes/mesh_uniforms.h"
 #include "present/passes/view_uniforms.h"
 #include "present/passes/water/water_uniforms.h"
+#include "present/passes/water/wave_features.h"
 #include "tests/present/gl_test.h"
 
 namespace offing::present {
@@ -56,9 +57,7 @@ TEST_F(UniformBlockTest, StructsLieAsInTheShader) {
             second + static_cast<int>(offsetof(glsl::HighlightUniforms, shows_box)));
 
   const ShaderProgram water =
-      program_with({{"sizes", "#define GERSTNER_WAVES 128\n#define SHOAL_STEPS 256\n"},
-                    shader_file("water/water_uniforms.h"),
-                    uniform_block("Water", "WaterUniforms water; ShapeUniforms shape;")});
+      program_with(water_uniforms("Water", "WaterUniforms water; ShapeUniforms shape;"));
   water.use();
   const auto shape = static_cast<int>(sizeof(glsl::WaterUniforms));
   EXPECT_EQ(offset_of("water.foam_steepness"), offsetof(glsl::WaterUniforms, foam_steepness));

@@ -106,6 +106,7 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
 // Fails if a slider's ends are not those of the row, or the end of an edit is missed: a drag to the right end
 // of each slider of the wind and the sun; or if a pull asks for an hour of simulation.
 TEST_F(PanelsTest, SlidersReachTheirRange) {
+  ImGui::GetIO().MouseDoubleClickTime = 0.0f;  // which would type
   scene_.ocean.wakes.resize(1);
   scene_.ocean.parameters.foam.width = 0.6;
   for (const char* key : {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width",
