@@ -37,6 +37,8 @@ TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere&
           .beach_line_m = narrow(lines.beach_line_m),
           .tree_line_m = narrow(lines.tree_line_m),
           .snow_line_m = narrow(lines.snow_line_m),
+          // Of a light breeze, 4 m/s: half the mean square slope of Cox & Munk 1954.
+          .water_slopes = 0.012f,
           .swash = {}};
 }
 

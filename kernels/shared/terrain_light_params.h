@@ -23,11 +23,13 @@ typedef struct {
   float beach_line_m;  // ground below is sand, wet from a metre below the line on
   float tree_line_m;
   float snow_line_m;
+  // Variance of the slopes of water in a direction; 0: water is painted like ground.
+  float water_slopes;
   SwashParams swash;  // about the point at sea level below the eye
 } TerrainLight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLight) == 236, "no padding");
+static_assert(sizeof(TerrainLight) == 240, "no padding");
 #endif
 
 #endif

@@ -15,10 +15,11 @@ typedef struct {
   // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water
   // that is drawn over it: it counts as missed, and so does what is higher than hidden_above_m.
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
+  int sea_goes_on;  // 1: rays that pass by the map meet a sea beyond it
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLook) == 52, "no padding");
+static_assert(sizeof(TerrainLook) == 56, "no padding");
 #endif
 
 #endif

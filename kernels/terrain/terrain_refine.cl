@@ -49,15 +49,19 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
 #endif
 #ifdef LAKES
     on_ground.is_hit &= shown_with_lakes(scenery->look, lakes, rays, on_ground);
-    const Colours seen = light_with_lakes(scenery, lakes, waves, rays, on_ground).seen;
+    Colours seen = light_with_lakes(scenery, lakes, waves, rays, on_ground).seen;
 #else
     on_ground.is_hit &= shown_by_height(scenery->look, ray_setup.ray, t_m);
-    const Colours seen = terrain_light(scenery, rays, on_ground).seen;
+    Colours seen = terrain_light(scenery, rays, on_ground).seen;
 #endif
+    const int_lanes is_sea = meets_sea_beyond(scenery, rays, on_ground.is_hit);
+    if (any_lane(is_sea)) {
+      seen = blend(seen, sea_beyond_light(scenery, rays, (lanes)sample_rad), select((lanes)0.0f, (lanes)1.0f, is_sea));
+    }
     sum.red += seen.red;
     sum.green += seen.green;
     sum.blue += seen.blue;
-    covered += select((lanes)0.0f, (lanes)1.0f, on_ground.is_hit);
+    covered += select((lanes)0.0f, (lanes)1.0f, on_ground.is_hit | is_sea);
   }
   float values[4][LANES];
   store_lanes(sum.red, values[0]);

@@ -5,7 +5,7 @@
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
 //      terrain/open_sky.cl: of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
-//      or what they hit is under water; edges, by which pixels are chosen that need more rays, the same.
+//      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
 #include "terrain/image_rays.clh"
 #ifdef LAKES
@@ -73,14 +73,22 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
 #else
       const TerrainColours colours_there = terrain_light(&scenery, rays, terrain);
 #endif
+      const int_lanes is_sea = meets_sea_beyond(&scenery, rays, terrain.is_hit);
+      Colours seen = colours_there.seen, edge_light = colours_there.edges;
+      if (any_lane(is_sea)) {
+        const Colours sea = sea_beyond_light(&scenery, rays, (lanes)pixel_rad(view));
+        const lanes share = select((lanes)0.0f, (lanes)1.0f, is_sea);
+        seen = blend(seen, sea, share);
+        edge_light = blend(edge_light, sea, share);
+      }
       float values[7][LANES];
-      store_lanes(colours_there.seen.red, values[0]);
-      store_lanes(colours_there.seen.green, values[1]);
-      store_lanes(colours_there.seen.blue, values[2]);
-      store_lanes(select((lanes)0.0f, (lanes)1.0f, terrain.is_hit), values[3]);
-      store_lanes(colours_there.edges.red, values[4]);
-      store_lanes(colours_there.edges.green, values[5]);
-      store_lanes(colours_there.edges.blue, values[6]);
+      store_lanes(seen.red, values[0]);
+      store_lanes(seen.green, values[1]);
+      store_lanes(seen.blue, values[2]);
+      store_lanes(select((lanes)0.0f, (lanes)1.0f, terrain.is_hit | is_sea), values[3]);
+      store_lanes(edge_light.red, values[4]);
+      store_lanes(edge_light.green, values[5]);
+      store_lanes(edge_light.blue, values[6]);
       for (int lane = 0; lane < LANES; ++lane) {
         const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
         if (x >= view.width_px || y >= view.height_px) continue;

@@ -45,7 +45,11 @@ std::vector<std::array<double, 3>> open_directions(const Camera& camera,
     const auto width = static_cast<std::size_t>(camera.width_px);
     const glm::dvec2 clip(2.0 * (static_cast<double>(pixel % width) + 0.5) / camera.width_px - 1.0,
                           1.0 - 2.0 * (static_cast<double>(pixel / width) + 0.5) / camera.height_px);
-    const glm::dvec3 ray = glm::normalize(ray_direction(camera, clip));
+    // Beyond a map on land there is haze, as at the horizon.
+    constexpr double horizon = 0.002;
+    glm::dvec3 ray = glm::normalize(ray_direction(camera, clip));
+    ray.y = std::max(ray.y, horizon);
+    ray = glm::normalize(ray);
     directions.push_back({ray.x, ray.y, ray.z});
   }
   return directions;
@@ -63,7 +67,7 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;
   std::optional<terrain::OpenSky> open_sky;
-  terrain::TerrainAppearance look{.sampling = scenery.sampling};
+  terrain::TerrainAppearance look{.sampling = scenery.sampling, .sea_goes_on = scenery.sea_goes_on};
   if (scenery.colours) look.colours = &colours.emplace(device, *scenery.colours);
   if constexpr (std::is_same_v<Field, terrain::HeightField>) {
     if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);

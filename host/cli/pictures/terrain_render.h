@@ -24,6 +24,7 @@ struct TerrainScenery {
   double exposure_ev = 0.0;  ///< stops above what the light asks for
   terrain::Sampling sampling = {};
   std::optional<ColourMap> colours = {};  ///< none: cover by height and slope
+  bool sea_goes_on = false;               ///< whether a sea lies beyond the map, at the level of its water
   bool sees_horizons = true;              ///< whether ground hides the sky from ground
   std::vector<world::LakeSettings> lakes = {};
 };

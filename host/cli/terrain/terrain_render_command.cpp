@@ -145,12 +145,26 @@ nlohmann::ordered_json eye_in(const PlaceSystem& system, const Camera& camera) {
   return system.to_json({camera.eye_m.x, camera.eye_m.z}, &camera.eye_m.y);
 }
 
+/// Whether water reaches the edge of a map: the sea then goes on beyond it.
+bool has_water_at_edges(const HeightMap& map, double level_m) {
+  const auto is_under = [&](int column, int row) {
+    return static_cast<double>(map.heights_m[map.index(column, row)]) <= level_m;
+  };
+  bool is_wet = false;
+  for (int column = 0; column < map.columns; ++column)
+    is_wet = is_wet || is_under(column, 0) || is_under(column, map.rows - 1);
+  for (int row = 0; row < map.rows; ++row)
+    is_wet = is_wet || is_under(0, row) || is_under(map.columns - 1, row);
+  return is_wet;
+}
+
 Rendered render_map(const TerrainRenderArguments& arguments, const RenderSettings& settings,
                     const GlobalOptions& options) {
   const HeightMapFile file = arguments.input.read();
   const PlaceSystem system(frame_of(arguments.input.file(), file.map), arguments.places.system());
   const Camera camera = read_camera(arguments, settings, system, camera_terrain(file.map));
   TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
+  scenery.sea_goes_on = has_water_at_edges(file.map, settings.sea_level_m);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   add_lakes(arguments, system, terrain::posts_of(file.map), scenery);
@@ -165,6 +179,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   const TileStore store(arguments.input.file(), arguments.input.trust());
   const TileStoreHeader& header = store.header();
   TerrainScenery scenery = read_scenery(arguments, settings, header.centre_latitude_deg);
+  scenery.sea_goes_on = static_cast<double>(header.lowest_m) <= settings.sea_level_m;
   if (!arguments.colour.empty()) {
     scenery.colours =
         read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});

@@ -64,6 +64,8 @@ struct TerrainAppearance {
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
   SeaOverTerrain sea = {};
   const LakeLayer* lakes = nullptr;  ///< none: there are none
+  /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
+  bool sea_goes_on = false;
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft
