@@ -58,7 +58,7 @@ inline constexpr std::array quality_levels{
     coarser(1.0, 0.75, 0.75, 0),
     coarser(0.85, 0.75, 0.5, 0),
     coarser(0.7, 0.5, 0.5, 1),
-    coarser(0.6, 0.5, 0.4, 1),
+    coarser(0.6, 0.375, 0.3, 1),
     coarser(0.5, 0.375, 0.3, 1),
     coarser(0.4, 0.375, 0.25, 1),
     coarser(0.3, 0.25, 0.2, 2),
