@@ -48,6 +48,7 @@ struct BandedRaster {
   bool has_bytes = false;  ///< or else floats
   Georeference georeference;     ///< of the map; step 0 where it has none
   std::optional<double> nodata;  ///< what marks posts without an answer
+  /// A band of the file.
   struct Band {
     std::string unit, description;  ///< empty: none
   };
