@@ -168,14 +168,13 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
 }
 
 /// Values that are found; false where there are none.
-template <class IsFound>
-bool draw_found(ViewState& state, PanelEdits& edits, const IsFound& is_found) {
+bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_search) {
   bool has_any = false;
   for (const GroupPanel& panel : group_panels()) {
     if (!is_in(state.scene, panel.group)) continue;
     std::vector<const scene::Parameter*> rows = rows_of(panel.group);
     std::erase_if(rows, [&](const scene::Parameter* row) {
-      return !is_found(state.search, fmt::format("{} {}", panel.title, panel.words), *row);
+      return !is_in_search(state.search, fmt::format("{} {}", panel.title, panel.words), *row);
     });
     if (rows.empty()) continue;
     has_any = true;

@@ -41,6 +41,18 @@ class WindowRecordTest : public WindowTest {
     const ImGuiWindow* question = ImGui::FindWindowByName("###quit");
     return question != nullptr && question->Active;
   }
+  void choose_format(const char* name) {
+    click(find(dialog(), "format", 60));
+    click(find(open_menu(), name, 20));
+  }
+  void record_for_hours() {
+    press_with_control("r");
+    turn(2);
+    type("100000");
+    press("Return");
+    turn(2);
+    ASSERT_TRUE(viewer_->is_recording());
+  }
   void wait_for_end() {
     constexpr double longest_s = 60.0;
     const double end_s = glfwGetTime() + longest_s;
@@ -109,8 +121,7 @@ TEST_F(WindowRecordTest, PicturesOfAnyRange) {
   click(find(dialog(), "start, s", 60));
   press_with_control("a");
   type("3");
-  click(find(dialog(), "format", 60));
-  click(find(open_menu(), "scene-linear pictures (.exr)", 20));
+  choose_format("scene-linear pictures (.exr)");
   click(find(dialog(), "record", 20));
   wait_for_end();
   EXPECT_THAT(files(), testing::UnorderedElementsAre("offing_001_0006.exr", "offing_001_0007.exr",
@@ -137,8 +148,7 @@ TEST_F(WindowRecordTest, IsSeenFromWhereTheUserIs) {
   press_with_control("r");
   turn(2);
   type("0.5");
-  click(find(dialog(), "format", 60));
-  click(find(open_menu(), "pictures (.png)", 20));
+  choose_format("pictures (.png)");
   click(find(dialog(), "record", 20));
   wait_for_end();
   const RgbImage recorded = read_png("offing_001_0000.png");
@@ -159,12 +169,7 @@ TEST_F(WindowRecordTest, IsSeenFromWhereTheUserIs) {
 TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
   const StandInFfmpeg ffmpeg;
   open(two_frames_a_second());
-  press_with_control("r");
-  turn(2);
-  type("100000");
-  press("Return");
-  turn(2);
-  ASSERT_TRUE(viewer_->is_recording());
+  record_for_hours();
   press("h");
   EXPECT_TRUE(state().shows_help);
   press("h");
@@ -189,12 +194,7 @@ TEST_F(WindowRecordTest, QuittingEndsIt) {
   for (const bool has_edits : {false, true}) {
     open(two_frames_a_second());
     if (has_edits) press_with_control("1");
-    press_with_control("r");
-    turn(2);
-    type("100000");
-    press("Return");
-    turn(2);
-    ASSERT_TRUE(viewer_->is_recording());
+    record_for_hours();
     press_with_control("q");
     ASSERT_TRUE(asks_to_quit());
     find(ImGui::FindWindowByName("###quit"), has_edits ? "discard" : "quit", has_edits ? 70 : 15);
@@ -214,8 +214,7 @@ TEST_F(WindowRecordTest, NeedsFfmpegForVideos) {
   open(two_frames_a_second());
   press_with_control("r");
   turn(2);
-  click(find(dialog(), "format", 60));
-  click(find(open_menu(), "video (.mp4)", 20));  // not what the dialog proposes
+  choose_format("video (.mp4)");  // not what the dialog proposes
   press("Return");
   turn(2);
   EXPECT_NE(dialog(), nullptr);
