@@ -13,15 +13,15 @@ from offing.errors import BadInput, Busy, Cancelled, Error, NoDevice
 from offing.mesh import Curvature, Mesh
 from offing.scene import Scene
 from offing.spectrum import Spectrum
-from offing.terrain import (EARTH_RADIUS_M, HIT_KINDS, Ground, Hits, Points, SightCounts, SightLines, SunHours, Terrain,
-                            read_points)
+from offing.terrain import (EARTH_RADIUS_M, HIT_KINDS, Ground, Hits, Lake, Points, SightCounts, SightLines, SunHours,
+                            Terrain, read_points)
 from offing.world import FIELDS, Ocean, Water, World
 
 __version__ = _core.version()
 __all__ = [
     "EARTH_RADIUS_M", "FIELDS", "HIT_KINDS", "BadInput", "Busy", "Cancelled", "Clouds", "Curvature", "Device", "Error",
-    "Ground", "Hits", "Mesh", "NoDevice", "Ocean", "Points", "Scene", "SightCounts", "SightLines", "Spectrum", "SunHours",
-    "Terrain", "Water", "World", "list_devices", "read_points", "set_log",
+    "Ground", "Hits", "Lake", "Mesh", "NoDevice", "Ocean", "Points", "Scene", "SightCounts", "SightLines", "Spectrum",
+    "SunHours", "Terrain", "Water", "World", "list_devices", "read_points", "set_log",
 ]
 
 LOG_LEVELS = ("error", "warning", "info", "debug")

@@ -1,4 +1,4 @@
-"""Terrain: height maps, rays, lines of sight, viewsheds, sky and sun."""
+"""Terrain: height maps, rays, lines of sight, viewsheds, lakes, sky and sun."""
 
 from __future__ import annotations
 
@@ -63,6 +63,19 @@ class SightCounts(NamedTuple):
     best: np.ndarray  # [k], indices of the observers that together see the most; each adds the most to those before it
     best_posts: np.ndarray  # [k], posts that the first see, the first two, and so on
     is_best_exhaustive: bool  # all choices were compared; False: the next best one was added each time
+
+
+class Lake(NamedTuple):
+    """Water in a basin of a terrain."""
+
+    level_m: float  # of the water
+    spill_level_m: float  # above it the water would run off the map
+    spill_m: tuple[float, float]  # x and z of where it would
+    area_m2: float  # of the surface
+    volume_m3: float
+    greatest_depth_m: float
+    depth_m: np.ndarray  # [rows, columns], 0 beside the lake
+    shore_m: list[np.ndarray]  # closed rings [k, 2] of x and z: the outer one first, then islands
 
 
 class Points(NamedTuple):
@@ -189,6 +202,14 @@ class Terrain:
             for pair in settings[:, i:i + 2]:
                 _require_angles(name, pair, every)
         return SightCounts(*self._terrain.count_viewsheds(points_m, settings, earth_radius_m, refraction, best, progress))
+
+    def fill_lake(self, x_m: float, z_m: float, *, level_m: float | None = None) -> Lake:
+        """The Lake around a place, up to a level. Without level_m it is as full as its basin holds. A place on a slope that
+        drains off the map has none, and a level above the spill level is refused."""
+        *values, outline_m = self._terrain.fill_lake(x_m, z_m, level_m)
+        is_break = np.isnan(outline_m[:, 0])
+        rings = np.split(outline_m, np.flatnonzero(is_break))
+        return Lake(*values, rings[:1] + [ring[1:] for ring in rings[1:]])
 
     def sky_view(self, *, azimuths: int = 64, earth_radius_m: float = 0.0, refraction: float = 0.13) -> np.ndarray:
         """The sky-view factor of each post, [rows, columns]. It is the light of an evenly bright sky on the ground as it

@@ -1,4 +1,4 @@
-// Terrain: height maps, rays, lines of sight, viewsheds, sky and sun.
+// Terrain: height maps, rays, lines of sight, viewsheds, lakes, sky and sun.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -231,6 +231,27 @@ class Terrain {
                           is_exhaustive != 0);
   }
 
+  /// (level, spill level, spill place, area, volume, greatest depth, depth of each post, outline [n, 2] with
+  /// NaN between rings)
+  nb::tuple fill_lake(double x_m, double z_m, std::optional<double> level_m) {
+    const auto [rows, columns] = shape();
+    const double* const level = level_m ? &*level_m : nullptr;
+    auto depth_m = new_array<float>({rows, columns});
+    OffingLake lake{};
+    lake.size = sizeof lake;
+    run([&] {
+      return offing_fill_lake(terrain_.get(), x_m, z_m, level, &lake, depth_m.data(), rows * columns, nullptr,
+                              0);
+    });
+    auto outline_m = new_array<double>({static_cast<std::size_t>(lake.outline_count), 2});
+    run([&] {
+      return offing_fill_lake(terrain_.get(), x_m, z_m, level, nullptr, nullptr, 0, outline_m.data(),
+                              lake.outline_count);
+    });
+    return nb::make_tuple(lake.level_m, lake.spill_level_m, std::pair(lake.spill_x_m, lake.spill_z_m),
+                          lake.area_m2, lake.volume_m3, lake.greatest_depth_m, depth_m, outline_m);
+  }
+
   nb::ndarray<nb::numpy, float> sky_view(int azimuths, double earth_radius_m, double refraction) {
     const auto [rows, columns] = shape();
     auto factors = new_array<float>({rows, columns});
@@ -331,6 +352,7 @@ void bind_terrain(nb::module_& module) {
            "radius_m"_a, "earth_radius_m"_a, "refraction"_a, "azimuth_rad"_a, "elevation_rad"_a)
       .def("count_viewsheds", &Terrain::count_viewsheds, "points_m"_a, "settings"_a, "earth_radius_m"_a,
            "refraction"_a, "best_count"_a, "progress"_a.none())
+      .def("fill_lake", &Terrain::fill_lake, "x_m"_a, "z_m"_a, "level_m"_a.none())
       .def("sky_view", &Terrain::sky_view, "azimuths"_a, "earth_radius_m"_a, "refraction"_a)
       .def("horizons", &Terrain::horizons, "azimuths"_a, "earth_radius_m"_a, "refraction"_a)
       .def("sun_hours", &Terrain::sun_hours, "from_s"_a, "to_s"_a, "step_s"_a, "turbidity"_a,

@@ -103,6 +103,28 @@ class TerrainTest(unittest.TestCase):
         with self.assertRaisesRegex(offing.BadInput, "azimuths"):
             self.ridge.sky_view(azimuths=3)
 
+    # Fails if x and z are exchanged, a level is ignored, or an island is no ring of its own. The bowl is an elliptic paraboloid
+    # whose volume is half of area times depth; its lowest edge is in the east.
+    def test_lakes(self):
+        bowl_m = (X_M - 523.0) ** 2 / 2500.0 + (Z_M - 500.0) ** 2 / 1000.0
+        bowl = offing.Terrain(bowl_m, spacing_m=10.0, device=self.device)
+        full, low = bowl.fill_lake(523.0, 500.0), bowl.fill_lake(523.0, 500.0, level_m=36.0)
+        self.assertEqual((full.level_m, full.spill_m), (full.spill_level_m, (1000.0, 500.0)))
+        self.assertAlmostEqual(full.spill_level_m, 91.0116, places=4)
+        area_m2 = np.pi * 36.0 * np.sqrt(2500.0 * 1000.0)
+        self.assertAlmostEqual(low.area_m2 / area_m2, 1.0, delta=0.01)
+        self.assertAlmostEqual(low.volume_m3 / (0.5 * area_m2 * 36.0), 1.0, delta=0.01)
+        np.testing.assert_allclose(low.depth_m, np.maximum(36.0 - bowl_m, 0.0), atol=1e-4)
+        (shore_m,) = low.shore_m
+        np.testing.assert_array_equal(shore_m[0], shore_m[-1])
+        np.testing.assert_allclose(((shore_m - [523.0, 500.0]) ** 2 / [2500.0, 1000.0]).sum(axis=1), 36.0, atol=0.2)
+        bowl_m[45:50, 60:65] = 50.0
+        island = offing.Terrain(bowl_m, spacing_m=10.0, device=self.device).fill_lake(523.0, 500.0, level_m=36.0).shore_m
+        self.assertEqual(len(island), 2)
+        np.testing.assert_allclose(island[1].mean(axis=0), [620.0, 470.0], atol=10.0)
+        with self.assertRaisesRegex(offing.BadInput, "spill level"):
+            bowl.fill_lake(523.0, 500.0, level_m=100.0)
+
     # Fails if longitude and latitude change places, or the way back leads elsewhere.
     def test_places(self):
         with tempfile.TemporaryDirectory() as folder:
