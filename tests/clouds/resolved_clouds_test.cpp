@@ -182,6 +182,18 @@ TEST(ResolvedCloudsTest, CloudsShadeOthers) {
   EXPECT_LT(shaded, 0.2 * lit);
 }
 
+// Fails if light is read that no piece of the way has set yet: where all lumps that a ray meets first are empty.
+// What memory holds there differs from draw to draw, so that it shows as single black blocks.
+TEST(ResolvedCloudsTest, EmptyLumpsShowNothing) {
+  Sky sky({ball({0.0, 0.0, 0.0}, 200.0, 20.0)}, sunlight({{0.5, 1.0, 0.5}}), 1.0);
+  for (double distance_m = 300.0; distance_m < 900.0; distance_m *= 1.03) {
+    const auto image = sky.draw(camera(distance_m));
+    ASSERT_TRUE(sky.resolved().has_any());
+    for (const std::array<float, 4>& pixel : image)
+      ASSERT_TRUE(pixel[0] >= 0.0f && pixel[1] >= 0.0f && pixel[2] >= 0.0f) << distance_m;
+  }
+}
+
 // Fails if something pops where marching gives way to billboards: an eye that goes away by 1 % a frame sees
 // less than 2/255 of the brightest light change at the middle of a cloud, and 2/255 of its opacity.
 TEST(ResolvedCloudsTest, NothingPopsWhereBillboardsTakeOver) {

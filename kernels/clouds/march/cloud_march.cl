@@ -189,7 +189,8 @@ INLINE void march_through(const CloudMarchVolume volume, const CloudGrid grid, c
   const int block_planes = volume.size_z / CLOUD_MARCH_BLOCK;
   const float3 own_cell = grid_cell(grid);  // of the light's grid
   const float source_m = SOURCE_EDGES * fmin(own_cell.x, fmin(own_cell.y, own_cell.z));
-  lanes shared[3], albedo[CHANNELS], scaled[CHANNELS];
+  // A piece whose lumps are all empty is gone through before any source is known, and shows none of it.
+  lanes shared[3] = {0.0f, 0.0f, 0.0f}, albedo[CHANNELS], scaled[CHANNELS];
   lanes sourced_to = -1.0f;  // how far along the rays `shared` holds
   for (int channel = 0; channel < CHANNELS; ++channel) {
     albedo[channel] = 1.0f - look.absorbed_share;
