@@ -1,6 +1,7 @@
 #include "present/panels/panel_layer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -79,13 +80,82 @@ void PanelLayer::begin() {
   ImGui::NewFrame();
 }
 
+std::vector<PanelLayer::Part> PanelLayer::parts_of(const ImDrawData& panels) {
+  std::vector<Part> parts;
+  const ImVec2 scale = panels.FramebufferScale, size = panels.DisplaySize;
+  for (int i = 0; i < panels.CmdListsCount; ++i) {
+    ImVec2 low = size, high(0.0f, 0.0f);
+    for (const ImDrawVert& vertex : panels.CmdLists[i]->VtxBuffer) {
+      low = {std::min(low.x, vertex.pos.x), std::min(low.y, vertex.pos.y)};
+      high = {std::max(high.x, vertex.pos.x), std::max(high.y, vertex.pos.y)};
+    }
+    Part part{.left = static_cast<int>(std::floor(scale.x * std::max(low.x, 0.0f))),
+              .bottom = static_cast<int>(std::floor(scale.y * (size.y - std::min(high.y, size.y)))),
+              .right = static_cast<int>(std::ceil(scale.x * std::min(high.x, size.x))),
+              .top = static_cast<int>(std::ceil(scale.y * (size.y - std::max(low.y, 0.0f))))};
+    if (part.left >= part.right || part.bottom >= part.top) continue;
+    // What lies over others is one part with them.
+    const auto overlaps = [&](const Part& other) {
+      return other.left < part.right && part.left < other.right && other.bottom < part.top &&
+             part.bottom < other.top;
+    };
+    for (auto other = parts.begin(); other != parts.end();) {
+      if (!overlaps(*other)) {
+        ++other;
+        continue;
+      }
+      part = {std::min(part.left, other->left), std::min(part.bottom, other->bottom),
+              std::max(part.right, other->right), std::max(part.top, other->top)};
+      parts.erase(other);
+      other = parts.begin();
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 void PanelLayer::end() {
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  ImDrawData* panels = ImGui::GetDrawData();
+  const int width = static_cast<int>(panels->DisplaySize.x * panels->FramebufferScale.x);
+  const int height = static_cast<int>(panels->DisplaySize.y * panels->FramebufferScale.y);
+  parts_.clear();
+  if (width <= 0 || height <= 0) return;
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  if (drawn_.width() != width || drawn_.height() != height)
+    drawn_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
+  drawn_.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(panels);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+  parts_ = parts_of(*panels);
+  repeat();
 }
 
 void PanelLayer::repeat() {
-  if (ImDrawData* drawn = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(drawn);
+  constexpr int drawn_unit = 0;
+  if (parts_.empty()) return;
+  if (!copy_) {
+    copy_.emplace(
+        ShaderStages{.vertex = {shader_file("screen.vert")}, .fragment = {shader_file("panels.frag")}});
+    no_vertices_ = GlVertexArray::make();
+  }
+  glViewport(0, 0, drawn_.width(), drawn_.height());
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_SCISSOR_TEST);
+  glBindVertexArray(no_vertices_->name());
+  copy_->use();
+  bind_sampler(*copy_, "drawn", drawn_unit, drawn_.texture());
+  for (const Part& part : parts_) {
+    glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace offing::present

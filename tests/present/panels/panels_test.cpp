@@ -1,6 +1,8 @@
 // Panels with a mouse that the test moves, drawn without a window.
 #include "present/panels/panels.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +10,8 @@
 #include <vector>
 
 #include <imgui.h>
+// The order matters: the backend builds on imgui.h.
+#include <backends/imgui_impl_opengl3.h>
 
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
@@ -77,6 +81,45 @@ class WidgetClicks {
   Edit last_edit_ = Edit::none;
   EditInProgress edit_;
 };
+
+// Fails if the copy of panels that repeat() draws is off by more than rounding from ImGui's own picture:
+// windows beside each other, one over another, one partly outside, and lines over all of them.
+TEST_F(PanelsTest, RepeatsWhatImGuiDraws) {
+  const auto clear = [&] {
+    target_.bind();
+    glClearColor(0.3f, 0.6f, 0.2f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+  };
+  clear();
+  for (const bool has_lines : {false, true}) {
+    layer_->begin();
+    for (const ImVec2 at :
+         {ImVec2(10.0f, 20.0f), ImVec2(60.0f, 100.0f), ImVec2(330.0f, 40.0f), ImVec2(560.0f, 700.0f)}) {
+      ImGui::SetNextWindowPos(at);
+      ImGui::SetNextWindowSize(ImVec2(200.0f, 150.0f));
+      ImGui::SetNextWindowBgAlpha(0.6f);
+      ImGui::Begin(std::to_string(at.x).c_str());
+      ImGui::TextUnformatted("a value");
+      ImGui::End();
+    }
+    if (has_lines)
+      ImGui::GetForegroundDrawList()->AddLine({5.0f, 5.0f}, {600.0f, 850.0f}, IM_COL32(255, 80, 0, 128),
+                                              3.0f);
+    clear();
+    layer_->end();
+    const std::vector<unsigned char> first = target_.read_bytes();
+    clear();
+    layer_->repeat();
+    EXPECT_EQ(target_.read_bytes(), first) << has_lines;
+    clear();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    const std::vector<unsigned char> direct = target_.read_bytes();
+    int off = 0;
+    for (std::size_t i = 0; i < direct.size(); ++i) off = std::max(off, std::abs(direct[i] - first[i]));
+    EXPECT_LE(off, 2) << has_lines;
+    EXPECT_NE(first, std::vector<unsigned char>(first.size(), first.front()));
+  }
+}
 
 // Fails if a widget cannot be drawn for some kind of row, or changes a scene that nobody touched.
 TEST_F(PanelsTest, DrawWithoutChangingAnything) {
