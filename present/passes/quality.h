@@ -10,14 +10,15 @@ namespace offing::present {
 
 /// How much of its detail a picture is drawn with, as shares of what its settings say.
 struct Quality {
-  double side_share = 1.0;     ///< of the picture's pixels along a side, which are shown enlarged
-  double ray_share = 1.0;      ///< of these pixels, for which rays are cast at the ground
-  double grid_share = 1.0;     ///< of the cells of the water's grid along a side
-  double views_share = 1.0;    ///< of the pixels along a side of what water mirrors and shows beneath it
-  bool mirrors_clouds = true;  ///< in what water mirrors at its size; else by the cloudy sky's map
-  int sea_halvings = 0;        ///< of the samples along a patch of the sea
-  int cloud_halvings = 0;      ///< of the particles of each cloud
-  int most_wake_steps = 0;     ///< of wakes that a picture takes further (WorldWakes); 0: all
+  double side_share = 1.0;   ///< of the picture's pixels along a side, which are shown enlarged
+  double ray_share = 1.0;    ///< of these pixels, for which rays are cast at the ground
+  double grid_share = 1.0;   ///< of the cells of the water's grid along a side
+  double views_share = 1.0;  ///< of the pixels along a side of what water mirrors and shows beneath it
+  /// Clouds at their size, not by the cloudy sky's map, and with four lookups upright, not two.
+  bool mirrors_finely = true;
+  int sea_halvings = 0;     ///< of the samples along a patch of the sea
+  int cloud_halvings = 0;   ///< of the particles of each cloud
+  int most_wake_steps = 0;  ///< of wakes that a picture takes further (WorldWakes); 0: all
   world::LightLag light_lag{};
 
   bool operator==(const Quality&) const = default;
@@ -41,7 +42,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .ray_share = 0.5,
           .grid_share = grid_share,
           .views_share = views_share,
-          .mirrors_clouds = side_share > 0.5,
+          .mirrors_finely = side_share > 0.6,
           .sea_halvings = sea_halvings,
           .cloud_halvings = side_share > 0.7 ? 0 : (side_share > 0.5 ? 1 : 2),
           .most_wake_steps = wake_steps_of_frame,

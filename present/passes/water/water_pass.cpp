@@ -114,10 +114,10 @@ ShaderProgram WaterPass::program_for(const Features& features) {
   const ShaderPart compiled_for{
       "features of the water",
       fmt::format("#define TAPS {}\n#define WATER_SHOW {:d}\n#define MIRRORS {:d}\n"
-                  "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n"
+                  "#define MIRRORS_THINGS {:d}\n#define MIRRORS_FINELY {:d}\n#define SHOWS_BENEATH {:d}\n"
                   "#define FOAM_VALUE_LIMIT {:.1f}\n",
                   features.taps, static_cast<int>(features.debug), features.mirrors, features.mirrors_things,
-                  features.shows_beneath, foam_value_limit)};
+                  features.mirrors_finely, features.shows_beneath, foam_value_limit)};
   std::vector<ShaderPart> fragment =
       water_uniforms("Water", "ViewUniforms view; WaveUniforms waves; WaterUniforms water;");
   for (const ShaderPart& part : {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl")})
@@ -211,6 +211,7 @@ bool WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
                                                  .debug = request.debug,
                                                  .mirrors = views_.has_mirrored(),
                                                  .mirrors_things = views_.has_mirrored_things(),
+                                                 .mirrors_finely = quality.mirrors_finely,
                                                  .shows_beneath = views_.has_beneath(),
                                                  .has_clouds = dry.cloudy_sky.has_map()});
   program.use();

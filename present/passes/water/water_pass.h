@@ -53,6 +53,7 @@ class WaterPass {
     WaterShow debug = WaterShow::none;
     bool mirrors = false;
     bool mirrors_things = false;
+    bool mirrors_finely = true;
     bool shows_beneath = false;
     bool has_clouds = false;  // in the sky that it mirrors
 

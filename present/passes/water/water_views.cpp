@@ -40,7 +40,7 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
   of_view.camera = wider(smaller(request.camera, longer_px), margin);
   has_beneath_ = longer_px > 0 && (!world.meshes().empty() || world.terrain() != nullptr);
   has_mirrored_things_ = has_beneath_;
-  mirrors_clouds_ = longer_px > 0 && world.clouds() != nullptr && request.quality.mirrors_clouds;
+  mirrors_clouds_ = longer_px > 0 && world.clouds() != nullptr && request.quality.mirrors_finely;
   has_mirrored_ = has_mirrored_things_ || mirrors_clouds_;
   if (has_mirrored_) draw_mirrored(world, of_view, passes, transfer);
   if (has_beneath_) draw_beneath(world, of_view, passes, transfer);

@@ -2,7 +2,7 @@
 // of the picture shows stands at the depth that it has there: from the way that a ray goes on to it the place is found
 // where that ray shows it, as if it were flat there.
 // Compiled for what there is, as some renderers go through what they do not need too: MIRRORS, clouds or things;
-// MIRRORS_THINGS, what has a depth; SHOWS_BENEATH.
+// MIRRORS_THINGS, what has a depth; MIRRORS_FINELY; SHOWS_BENEATH.
 uniform sampler2D mirrored_light, mirrored_depth;  // premultiplied kcd/m2 with coverage; reversed depth
 uniform sampler2D beneath_light, beneath_depth;
 uniform sampler2D shown_ground;  // water_ground.frag: at the picture's own pixels, but without what deep water hides
@@ -10,7 +10,7 @@ uniform sampler2D shown_ground;  // water_ground.frag: at the picture's own pixe
 // A bed's light spreads as it leaves the water: 1 / n^2, less what the surface turns back.
 const float leaving_share = 0.54;
 const float far_m = 1.0e5;
-const int upright_taps = 4;
+const int upright_taps = MIRRORS_FINELY == 1 ? 4 : 2;
 // Farther down the light of many waves is one.
 const float deepest_caustics_m = 16.0;
 

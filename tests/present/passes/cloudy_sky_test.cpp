@@ -185,13 +185,13 @@ class CloudyWaterTest : public test::StillSea {
 // seen from 2 m below. Gate 8 %.
 TEST_F(CloudyWaterTest, MirrorsCloudsOnce) {
   const glm::dvec3 above = added(looking(1.0, up_rad), 0);
-  const Quality coarse{.mirrors_clouds = false};
+  const Quality coarse{.mirrors_finely = false};
   for (const auto& [views_px, quality] :
        {std::pair(0, Quality{}), std::pair(side_px, Quality{}), std::pair(side_px, coarse)}) {
     const glm::dvec3 below = added(looking(1.0, -up_rad), views_px, quality);
     for (glm::length_t channel = 0; channel < 3; ++channel) {
       EXPECT_NEAR(below[channel], mirrored * above[channel], 0.08 * std::abs(mirrored * above[channel]))
-          << views_px << quality.mirrors_clouds;
+          << views_px << quality.mirrors_finely;
     }
   }
 }

@@ -91,7 +91,7 @@ TEST(QualityControlTest, LevelsAreCoarserFromOneToTheNext) {
               finer.side_share * finer.side_share * finer.ray_share);
     EXPECT_LE(coarser.grid_share, finer.grid_share);
     EXPECT_LE(coarser.views_share, finer.views_share);
-    EXPECT_LE(coarser.mirrors_clouds, finer.mirrors_clouds);
+    EXPECT_LE(coarser.mirrors_finely, finer.mirrors_finely);
     EXPECT_GE(coarser.sea_halvings, finer.sea_halvings);
     EXPECT_GE(coarser.cloud_halvings, finer.cloud_halvings);
     EXPECT_GE(coarser.light_lag.altitude_share, finer.light_lag.altitude_share);
