@@ -125,7 +125,7 @@ void draw_step_legend(PanelLayout& layout) {
                  ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   }
   ImGui::Dummy(ImVec2(width, bar_height + ImGui::GetFontSize()));
-  layout.end_low();
+  layout.end_low_left();
   ImGui::End();
 }
 

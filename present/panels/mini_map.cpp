@@ -116,7 +116,7 @@ std::optional<glm::dvec2> MiniMap::draw(const Camera& camera, PanelLayout& layou
                          cone_colour);
   list.AddCircleFilled(eye, 3.5f, camera_colour);
   list.PopClipRect();
-  layout.end_low();
+  layout.end_low_right();
   ImGui::End();
   return clicked;
 }

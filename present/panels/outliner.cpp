@@ -180,7 +180,9 @@ void draw_row(ViewState& state, const SceneObject& object, RowShow show, PanelEd
     if (!is_selected) select_object(state, object);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) open_row(state, object, edits);
   }
-  if (show == RowShow::newly_selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+  const float top = ImGui::GetWindowPos().y, end = top + ImGui::GetWindowHeight();
+  const bool is_whole = ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y <= end;
+  if (show == RowShow::newly_selected && !is_whole) ImGui::SetScrollHereY();
   // Names can hold what ImGui takes for the end of a label: they are text beside a row without one.
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = corner.y + 0.5f * ImGui::GetTextLineHeight();
@@ -191,9 +193,9 @@ void draw_row(ViewState& state, const SceneObject& object, RowShow show, PanelEd
 }
 
 void draw_list(ViewState& state, PanelEdits& edits) {
-  // In a low window there is to be room for the values below the list.
-  constexpr float least_rows = 4.0f, most_rows = 12.0f, most_share = 0.25f;
-  const float room = most_share * ImGui::GetIO().DisplaySize.y / ImGui::GetTextLineHeightWithSpacing();
+  // There is to be room for the values below the list.
+  constexpr float least_rows = 4.0f, most_rows = 12.0f, most_share = 0.4f;
+  const float room = most_share * state.layout.main_room() / ImGui::GetTextLineHeightWithSpacing() - 1.0f;
   const std::vector<SceneObject> objects = objects_of(state.scene);
   const std::optional<SceneObject> selected = selected_object(state);
   const float rows =
@@ -302,7 +304,9 @@ void draw_outliner(ViewState& state, PanelEdits& edits) {
     draw_buttons(state, edits);
     draw_list(state, edits);
   }
-  // The click may have selected another one.
+}
+
+void draw_selected_values(ViewState& state, PanelEdits& edits) {
   const std::optional<SceneObject> selected = selected_object(state);
   if (!selected) return;
   draw_properties(state, *selected, edits);

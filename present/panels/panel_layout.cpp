@@ -27,7 +27,8 @@ void PanelLayout::begin() {
   main_px_ = margin();
   right_px_ = margin();
   low_px_ = std::exchange(next_low_px_, 0.0f);
-  message_px_ = std::exchange(next_message_px_, 0.0f);
+  low_left_px_ = std::exchange(next_low_left_px_, 0.0f);
+  right_begin_px_ = std::exchange(next_right_begin_px_, screen_px().x);
   timeline_px_ = std::exchange(next_timeline_px_, 0.0f);
 }
 
@@ -36,17 +37,35 @@ float PanelLayout::timeline_top() const {
   return screen_px().y - timeline_px_;
 }
 
-/// Above the message.
+/// Of panels above the timeline.
 float PanelLayout::bottom() const {
-  return std::max(least_height_em * ImGui::GetFontSize(), timeline_top() - message_px_ - margin());
+  return std::max(least_height_em * ImGui::GetFontSize(), timeline_top() - margin());
 }
 
 void PanelLayout::place_main(float width_em) {
   const float width = std::min(width_em * ImGui::GetFontSize(), screen_px().x - 2.0f * margin());
   main_px_ = margin() + width;
   ImGui::SetNextWindowPos(ImVec2(margin(), margin()));
-  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));  // as high as what is open
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, bottom() - margin()));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));               // as high as what it holds
+  const float least = least_height_em * ImGui::GetFontSize();  // which the values need
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
+                                      ImVec2(width, std::max(0.5f * least, bottom() - margin() - least)));
+}
+
+float PanelLayout::main_room() const {
+  return bottom() - ImGui::GetCursorScreenPos().y;
+}
+
+void PanelLayout::end_main() {
+  main_end_px_ = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+}
+
+void PanelLayout::place_values() const {
+  const float width = main_px_ - margin(), least = least_height_em * ImGui::GetFontSize();
+  const float top = std::min(main_end_px_, bottom() - least);
+  ImGui::SetNextWindowPos(ImVec2(margin(), top));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, bottom() - top));
 }
 
 float PanelLayout::draw_main_edge(float width_em) {
@@ -84,6 +103,7 @@ float PanelLayout::right_width() const {
 }
 
 void PanelLayout::end_right() {
+  next_right_begin_px_ = std::min(next_right_begin_px_, ImGui::GetWindowPos().x);
   right_px_ = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + margin();
 }
 
@@ -95,8 +115,14 @@ void PanelLayout::place_low_right() const {
   ImGui::SetNextWindowPos(ImVec2(screen_px().x - margin(), bottom()), ImGuiCond_Always, ImVec2(1.0f, 1.0f));
 }
 
-void PanelLayout::end_low() {
+void PanelLayout::end_low_left() {
+  next_low_left_px_ = ImGui::GetWindowHeight() + margin();
+  next_low_px_ = std::max(next_low_px_, next_low_left_px_);
+}
+
+void PanelLayout::end_low_right() {
   next_low_px_ = std::max(next_low_px_, ImGui::GetWindowHeight() + margin());
+  next_right_begin_px_ = std::min(next_right_begin_px_, ImGui::GetWindowPos().x);
 }
 
 void PanelLayout::place_timeline() const {
@@ -110,12 +136,16 @@ void PanelLayout::end_timeline() {
 }
 
 void PanelLayout::place_message() const {
-  ImGui::SetNextWindowPos(ImVec2(0.0f, timeline_top()), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(screen_px().x, 0.5f * screen_px().y));
+  const float left = main_px_ + 2.0f * margin();
+  ImGui::SetNextWindowPos(ImVec2(left, bottom() - low_left_px_), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(message_width(), 0.5f * screen_px().y));
 }
 
-void PanelLayout::end_message() {
-  next_message_px_ = ImGui::GetWindowHeight();
+float PanelLayout::message_width() const {
+  constexpr float least_em = 14.0f;  // where there is less room it lies over the panels at the right
+  const float left = main_px_ + 2.0f * margin(), most = std::max(1.0f, screen_px().x - left - margin());
+  const float room = right_begin_px_ - left - margin();
+  return std::min(most, std::max(room, least_em * ImGui::GetFontSize()));
 }
 
 void stay_in_line(const char* label) {

@@ -55,7 +55,8 @@ void draw_section(std::string_view section, std::size_t number = 0) {
   if (number > 0) words += fmt::format(" {}", number);
   ImGui::TextDisabled("%s", words.c_str());
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip(number > 0 ? "[[%s]]" : "[%s]", std::string(section).c_str());
+  ImGui::SetTooltip(number > 0 ? "[[%s]]" : "[%s]",
+                    std::string(section).c_str());
 }
 
 void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows, ViewState& state,
@@ -195,12 +196,9 @@ bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_s
   return has_any;
 }
 
-/// The field to search in, and what it finds: by names, else by what is said of values.
-void draw_search(ViewState& state, PanelEdits& edits) {
-  if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1.0f);
-  ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
-  if (state.search.empty() || draw_found(state, edits, is_found)) return;
+/// What the search finds: by names, else by what is said of values.
+void draw_search_results(ViewState& state, PanelEdits& edits) {
+  if (draw_found(state, edits, is_found)) return;
   if (!draw_found(state, edits, is_found_in_help)) ImGui::TextDisabled("nothing is found");
 }
 
@@ -274,26 +272,37 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
 }
 
 /// A button for what a key does.
-void draw_action(const char* label, const char* key, ViewAction action, PanelEdits& edits) {
+void draw_action(const char* label, const char* key, ViewAction action, PanelEdits& edits,
+                 bool is_possible = true) {
+  ImGui::BeginDisabled(!is_possible);
   if (ImGui::Button(label)) edits.action = action;
+  ImGui::EndDisabled();
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key);
 }
 
-void draw_file(PanelEdits& edits) {
+void draw_file(const ViewFacts& facts, PanelEdits& edits) {
   draw_action("new", "Ctrl N", ViewAction::new_scene, edits);
   ImGui::SameLine();
   draw_action("open ...", "Ctrl O", ViewAction::open_file, edits);
   ImGui::SameLine();
-  draw_action("save", "Ctrl S", ViewAction::save, edits);
-  ImGui::SameLine();
+  draw_action("save", "Ctrl S", ViewAction::save, edits, facts.can_save);
+  stay_in_line("save as ...");
   draw_action("save as ...", "Ctrl Shift S", ViewAction::save_as, edits);
-  draw_action("undo", "Ctrl Z", ViewAction::undo, edits);
+  stay_in_line("undo");
+  draw_action("undo", "Ctrl Z", ViewAction::undo, edits, facts.can_undo);
+  stay_in_line("redo");
+  draw_action("redo", "Ctrl Y", ViewAction::redo, edits, facts.can_redo);
+}
+
+void draw_search_field(ViewState& state, PanelEdits& edits) {
+  constexpr const char* keys = "keys";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float button_px = ImGui::CalcTextSize(keys).x + 2.0f * style.FramePadding.x;
+  if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-button_px - style.ItemSpacing.x);
+  ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
   ImGui::SameLine();
-  draw_action("redo", "Ctrl Y", ViewAction::redo, edits);
-  ImGui::SameLine();
-  edits.wants_original = ImGui::Button("undo all edits");
-  ImGui::SameLine();
-  draw_action("keys", "H", ViewAction::toggle_help, edits);
+  draw_action(keys, "H", ViewAction::toggle_help, edits);
 }
 
 void draw_times(ViewState& state, const ViewFacts& facts) {
@@ -314,17 +323,20 @@ void draw_times(ViewState& state, const ViewFacts& facts) {
   ImGui::PopTextWrapPos();
 }
 
-void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
-  // What flies is what the camera's panel edits.
-  state.scene.view.camera = state.camera.camera();
-  state.layout.place_main(state.look.panel_em);
-  ImGui::Begin("Offing", nullptr,
-               ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+constexpr ImGuiWindowFlags side_panel =
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
+
+/// Below the main panel: what is selected, or found, or else all values of the scene.
+void draw_values_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+  state.layout.place_values();
+  ImGui::Begin("Values", nullptr, side_panel | ImGuiWindowFlags_NoTitleBar);
   ImGui::PushItemWidth(item_share * ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos();
-  draw_file(edits);
-  draw_search(state, edits);
-  draw_outliner(state, edits);
+  if (state.search.empty()) {
+    draw_selected_values(state, edits);
+  } else {
+    draw_search_results(state, edits);
+  }
   draw_view(state, facts);
   for (const GroupPanel& panel : group_panels()) {
     const bool is_shown = state.search.empty() && is_shown_with_selection(state, panel.group);
@@ -334,8 +346,23 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   draw_times(state, facts);
   ImGui::PopTextWrapPos();
   ImGui::PopItemWidth();
-  ImGui::TextDisabled("H: keys; Tab: without panels");
+  edits.wants_original = ImGui::Button("undo all edits");
+  ImGui::SameLine();
+  ImGui::TextDisabled("Tab: without panels");
   ImGui::End();
+}
+
+void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+  // What flies is what the camera's panel edits.
+  state.scene.view.camera = state.camera.camera();
+  state.layout.place_main(state.look.panel_em);
+  const bool is_open = ImGui::Begin("Offing", nullptr, side_panel);
+  draw_file(facts, edits);
+  draw_search_field(state, edits);
+  draw_outliner(state, edits);
+  state.layout.end_main();
+  ImGui::End();
+  if (is_open) draw_values_panel(state, facts, edits);
   state.look.panel_em = state.layout.draw_main_edge(state.look.panel_em);
   state.camera.camera() = state.scene.view.camera;
 }
@@ -373,18 +400,19 @@ void draw_terrain_layers(ViewState& state, const ViewFacts& facts, PanelEdits& e
   if (state.shows_map && facts.map) edits.wanted_place = facts.map->draw(state.camera.camera(), state.layout);
 }
 
-void draw_message(Message& message, PanelLayout& layout) {
+void draw_message(Message& message, const PanelLayout& layout) {
   layout.place_message();
   ImGui::Begin("Message", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  const bool is_dismissed = ImGui::SmallButton("dismiss");
-  ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 2.0f * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(layout.message_width() - ImGui::GetStyle().WindowPadding.x);
+  ImGui::SmallButton("x");
+  ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, message.is_fault ? fault_colour() : ImGui::GetColorU32(ImGuiCol_Text));
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
-  layout.end_message();
+  const bool is_dismissed = ImGui::IsWindowHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   ImGui::End();
   if (is_dismissed) message = {};
 }

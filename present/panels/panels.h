@@ -37,6 +37,8 @@ namespace offing::present {
 struct Message {
   std::string text = {};
   bool is_fault = false;
+
+  bool operator==(const Message&) const = default;
 };
 /// The error's line, with the compiler's words if there were any, and its fix.
 Message fault_message(const Error& error);
@@ -102,6 +104,8 @@ struct ViewFacts {
   SceneList* scenes = nullptr;  ///< nullptr: no list is drawn
   ListedScene open_scene = {};
   std::optional<RecordingProgress> recording = {};  ///< that runs
+  bool can_undo = false, can_redo = false;
+  bool can_save = false;  ///< there is something that the scene's file has not
 };
 
 /// What the user asked for in one frame, and panels cannot do by themselves.

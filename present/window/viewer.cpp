@@ -44,6 +44,12 @@ std::string whole_name(const std::filesystem::path& path) {
   return (failure ? path : whole).string();
 }
 
+/// But for the size of the picture.
+bool are_same_view(const Camera& one, const Camera& other) {
+  return one.eye_m == other.eye_m && one.yaw_rad == other.yaw_rad && one.pitch_rad == other.pitch_rad &&
+         one.roll_rad == other.roll_rad && one.vertical_field_of_view_rad == other.vertical_field_of_view_rad;
+}
+
 }  // namespace
 
 void FullScreen::toggle(GLFWwindow* window) {
@@ -174,6 +180,10 @@ bool Viewer::turn() {
   record_.turn();
   if (was_recording && !record_.is_recording()) panels_follow_s_ = now_s + panels_follow_s;
   editing_.take_clouds();
+  // Where frames are slow, news stay for more of them.
+  constexpr double longest_turn_s = 0.25;
+  aged_from_s_ += std::max(0.0, wall_s - longest_turn_s);
+  age_message(now_s);
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
   const Drawn drawn = show();
@@ -289,10 +299,23 @@ void Viewer::begin_scene() {
 void Viewer::show_title() {
   const std::uint64_t now = editing_.edits() + scenes_.saves();
   if (std::exchange(titled_, now) == now) return;
-  std::string wanted = title(options_) + (scenes_.is_unsaved() ? " *" : "");
+  is_unsaved_ = scenes_.is_unsaved();
+  std::string wanted = title(options_) + (is_unsaved_ ? " *" : "");
   if (wanted == shown_title_) return;
   shown_title_ = std::move(wanted);
   glfwSetWindowTitle(window(), shown_title_.c_str());
+}
+
+void Viewer::age_message(double now_s) {
+  constexpr double least_s = 4.0, per_letter_s = 0.06;
+  if (state_.message != aged_) {
+    aged_ = state_.message;
+    aged_from_s_ = now_s;
+  }
+  const double read_s = least_s + per_letter_s * static_cast<double>(aged_.text.size());
+  if (aged_.text.empty() || aged_.is_fault || now_s < aged_from_s_ + read_s) return;
+  state_.message = aged_ = {};
+  panels_follow_s_ = std::max(panels_follow_s_, now_s + panels_follow_s);
 }
 
 Screen Viewer::screen() const {
@@ -516,6 +539,8 @@ Viewer::Drawn Viewer::draw_sea(glm::ivec2 window_px) {
 
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
+  // A view is no edit, but files keep it.
+  const bool has_moved = !are_same_view(state_.camera.camera(), options_.scene.view.camera);
   if (sea_.terrain() && state_.shows_map) map_.show(sea_.terrain()->parameters());
   const auto need = [&](std::string_view text) { panels_.need(text); };
   for_shown_names(state_, scene_list_, need);
@@ -524,19 +549,23 @@ PanelEdits Viewer::draw_panels() {
   panels_.set_look(state_.look);
   panels_.begin();
   editing_.draw(screen(), input_.pointer());
-  PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
-                                                   .capabilities = context_.capabilities(),
-                                                   .device = sea_.device(),
-                                                   .transfer = frame.transfer_path(),
-                                                   .width_px = frame.screen().width(),
-                                                   .height_px = frame.screen().height(),
-                                                   .has_meshes = !sea_.meshes().empty(),
-                                                   .terrain = sea_.terrain(),
-                                                   .map = &map_,
-                                                   .quality = shown_quality_,
-                                                   .scenes = &scene_list_,
-                                                   .open_scene = listed(options_),
-                                                   .recording = record_.progress()});
+  PanelEdits edits =
+      present::draw_panels(state_, {.times = frame.times(),
+                                    .capabilities = context_.capabilities(),
+                                    .device = sea_.device(),
+                                    .transfer = frame.transfer_path(),
+                                    .width_px = frame.screen().width(),
+                                    .height_px = frame.screen().height(),
+                                    .has_meshes = !sea_.meshes().empty(),
+                                    .terrain = sea_.terrain(),
+                                    .map = &map_,
+                                    .quality = shown_quality_,
+                                    .scenes = &scene_list_,
+                                    .open_scene = listed(options_),
+                                    .recording = record_.progress(),
+                                    .can_undo = scenes_.can_undo(),
+                                    .can_redo = scenes_.can_redo(),
+                                    .can_save = !scenes_.has_file() || is_unsaved_ || has_moved});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   files_.draw();

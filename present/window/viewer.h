@@ -117,6 +117,8 @@ class Viewer {
   void apply(const PanelEdits& edits);
   Screen screen() const;
   void show_title();
+  /// News go after a while; faults stay until the next edit or a click.
+  void age_message(double now_s);
   /// Deselects, or closes what has popped up.
   void escape();
   void request_quit();
@@ -148,6 +150,9 @@ class Viewer {
   RecordActions record_;
   std::string shown_title_;
   std::optional<std::uint64_t> titled_;  // edits and saves that the title knows of
+  bool is_unsaved_ = false;
+  Message aged_;  // that is shown since then
+  double aged_from_s_ = 0.0;
   MiniMap map_;
   Refinement refinement_;
   Quality shown_quality_;  // of the picture that is shown

@@ -78,7 +78,7 @@ class WindowDialogTest : public WindowTest {
   }
   void pull_wind() {
     const scene::Parameter& speed = *scene::find_parameter("wind.speed_mps");
-    const Spot slider = find(main_panel(), present::parameter_label(speed), 70);
+    const Spot slider = find(values(), present::parameter_label(speed), 70);
     drag(slider, {slider.x + 30, slider.y});
   }
 
@@ -217,7 +217,7 @@ TEST_F(WindowDialogTest, ValuesThatNameFilesAreChosen) {
       << "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   open(options);
   toggle_header("Meshes");
-  click(find(main_panel(), "...##browse mesh.file", 20, 0));
+  click(find(values(), "...##browse mesh.file", 20, 0));
   turn(2);
   ASSERT_TRUE(is_open());
   press("Down");  // ".."

@@ -73,7 +73,7 @@ void PanelEdits::add_elements(const Parameter& row) {
   const auto count = [&] { return scene::elements_of(state().scene, *row.section).size(); };
   while (count() < wanted_elements(row)) {
     const std::size_t before = count();
-    click(find(main_panel(), fmt::format("add##{}", rows_.panel.title), 20));
+    click(find(values(), fmt::format("add##{}", rows_.panel.title), 20));
     ASSERT_EQ(count(), before + 1);
   }
 }
@@ -89,14 +89,14 @@ const void* PanelEdits::shown_struct(const Parameter& row) const {
 
 /// By its slider or field: to the right.
 void PanelEdits::pull(const Parameter& row, int x_px) {
-  const Spot spot = find(main_panel(), present::parameter_label(row), x_px, shown_element(row));
+  const Spot spot = find(values(), present::parameter_label(row), x_px, shown_element(row));
   drag(spot, {spot.x + pull_px, spot.y});
 }
 
 void PanelEdits::edit_slider(const Parameter& row, int x_px) {
   const std::string_view typed = typed_for(row);
   if (typed.empty()) return pull(row, x_px);
-  enter_into_slider(find(main_panel(), present::parameter_label(row), x_px, shown_element(row)),
+  enter_into_slider(find(values(), present::parameter_label(row), x_px, shown_element(row)),
                     std::string(typed));
 }
 
@@ -105,7 +105,7 @@ void PanelEdits::change(const Parameter& row, ValueAt<double>) {
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<std::optional<double>>) {
-  click(find(main_panel(), "##set " + std::string(row.key), box_px, shown_element(row)));
+  click(find(values(), "##set " + std::string(row.key), box_px, shown_element(row)));
   edit_slider(row, beside_box_px);
 }
 
@@ -115,25 +115,25 @@ void PanelEdits::change(const Parameter& row, ValueAt<int> at) {
     return;
   }
   // From the upper end of its range only to the left.
-  const Spot spot = find(main_panel(), present::parameter_label(row), value_px, shown_element(row));
+  const Spot spot = find(values(), present::parameter_label(row), value_px, shown_element(row));
   const int way = at.in(shown_struct(row)) >= row.high ? -25 : 25;
   drag(spot, {spot.x + way, spot.y});
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<std::uint64_t>) {
-  enter(find(main_panel(), present::parameter_label(row), value_px, shown_element(row)), "12345");
+  enter(find(values(), present::parameter_label(row), value_px, shown_element(row)), "12345");
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<std::string>) {
-  enter(find(main_panel(), present::parameter_label(row), value_px, shown_element(row)), text_for(row));
+  enter(find(values(), present::parameter_label(row), value_px, shown_element(row)), text_for(row));
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<std::optional<UtcTime>>) {
-  enter(find(main_panel(), present::parameter_label(row)), "2020-06-08T15:50Z");
+  enter(find(values(), present::parameter_label(row)), "2020-06-08T15:50Z");
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<glm::dvec3> at) {
-  const Spot spot = find_triple(main_panel(), present::parameter_label(row), shown_element(row));
+  const Spot spot = find_triple(values(), present::parameter_label(row), shown_element(row));
   // Colours begin at the end of their range.
   const double first = at.in(shown_struct(row)).x;
   const int way = first >= row.high * row.scale ? -pull_px : pull_px;
@@ -142,11 +142,11 @@ void PanelEdits::change(const Parameter& row, ValueAt<glm::dvec3> at) {
 
 /// What its box sets is another value already.
 void PanelEdits::change(const Parameter& row, ValueAt<std::optional<glm::dvec3>>) {
-  click(find(main_panel(), "##set " + std::string(row.key), box_px, shown_element(row)));
+  click(find(values(), "##set " + std::string(row.key), box_px, shown_element(row)));
 }
 
 void PanelEdits::change(const Parameter& row, ValueAt<std::vector<double>>) {
-  enter(find(main_panel(), present::parameter_label(row)), "250, 41");
+  enter(find(values(), present::parameter_label(row)), "250, 41");
 }
 
 void PanelEdits::change(const Parameter& row, const scene::ChoiceStorage& choice) {

@@ -64,7 +64,7 @@ TEST_F(RefusedEditsTest, NumbersOutOfRange) {
   open(quick_options());
   const std::vector<unsigned char> before = sea();
   toggle_header("Wind");
-  enter_into_slider(find(main_panel(), parameter_label(*scene::find_parameter("wind.speed_mps")), 70), "999");
+  enter_into_slider(find(values(), parameter_label(*scene::find_parameter("wind.speed_mps")), 70), "999");
   EXPECT_NE(message().find("wind.speed_mps: expected a number in m/s within [0.1, 60], got 999"),
             std::string::npos)
       << message();
@@ -79,7 +79,7 @@ TEST_F(RefusedEditsTest, NumbersThatTheRestOfTheSceneForbids) {
   const std::string before = edited_text();
   toggle_header("Wakes");
   const Parameter& rain = *scene::find_parameter("ocean.wake.rain_per_m2s");
-  const Spot slider = find(main_panel(), parameter_label(rain), 70, 0);
+  const Spot slider = find(values(), parameter_label(rain), 70, 0);
   drag(slider, {slider.x + 35, slider.y});
   EXPECT_NE(message().find("wake.rain.drops_per_m2s"), std::string::npos) << message();
   EXPECT_TRUE(state().message.is_fault);
@@ -91,8 +91,7 @@ TEST_F(RefusedEditsTest, SpectrumFilesThatAreNotThere) {
   open(quick_options());
   const std::vector<unsigned char> before = sea();
   toggle_header("Spectrum");
-  enter(find(main_panel(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))),
-        "nowhere.data_spec");
+  enter(find(values(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))), "nowhere.data_spec");
   turn(2);
   EXPECT_NE(message().find("nowhere.data_spec"), std::string::npos) << message();
   EXPECT_TRUE(state().message.is_fault);
@@ -112,8 +111,7 @@ TEST_F(RefusedEditsTest, LeaveTheCameraToTheUser) {
   look_at_sea();
   ASSERT_TRUE(state().scene.tracks.empty());
   toggle_header("Spectrum");
-  enter(find(main_panel(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))),
-        "nowhere.data_spec");
+  enter(find(values(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))), "nowhere.data_spec");
   turn(2);
   ASSERT_TRUE(state().message.is_fault);
   EXPECT_TRUE(state().scene.tracks.empty());
@@ -126,7 +124,7 @@ TEST_F(PanelFieldsTest, NumbersBeyondTheSlider) {
   const Parameter& step = *scene::find_parameter("ocean.wake.step_s");
   ASSERT_TRUE(step.slider);
   ASSERT_GT(step.slider->low, 0.005);
-  enter_into_slider(find(main_panel(), parameter_label(step), 70, 0), "0.005");
+  enter_into_slider(find(values(), parameter_label(step), 70, 0), "0.005");
   EXPECT_EQ(state().scene.ocean.wakes.front().parameters.step_s, 0.005);
   EXPECT_FALSE(state().message.is_fault) << message();
 }
@@ -137,7 +135,7 @@ TEST_F(PanelFieldsTest, EnterWithoutAChange) {
   options.scene.ocean.patch_lengths_m = {1000.0 / 3.0};
   open(options);
   toggle_header("Cascades and Gerstner waves");
-  click(find(main_panel(), parameter_label(*scene::find_parameter("ocean.cascade.patch_m"))));
+  click(find(values(), parameter_label(*scene::find_parameter("ocean.cascade.patch_m"))));
   press("Return");
   turn(2);
   EXPECT_EQ(state().scene.ocean.patch_lengths_m, options.scene.ocean.patch_lengths_m);

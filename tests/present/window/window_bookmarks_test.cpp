@@ -67,29 +67,29 @@ TEST_F(WindowBookmarksTest, Panel) {
   open(quick_options());
   const double at_sky_rad = pitch_rad();
   toggle_header("Bookmarks");
-  click(find(main_panel(), "add this view##Bookmarks", 40));
+  click(find(values(), "add this view##Bookmarks", 40));
   ASSERT_EQ(state().scene.bookmarks.size(), 1u);
-  enter(find(main_panel(), present::parameter_label(*scene::find_parameter("bookmark.name")), 60, 0), "bow");
+  enter(find(values(), present::parameter_label(*scene::find_parameter("bookmark.name")), 60, 0), "bow");
   EXPECT_EQ(state().scene.bookmarks[0].name, "bow");
   look_at_sea();
   const double at_sea_rad = pitch_rad();
-  click(find(main_panel(), "go there", 50, 0));
+  click(find(values(), "go there", 50, 0));
   turn();
   EXPECT_EQ(pitch_rad(), at_sky_rad);
   look_at_sea();
-  click(find(main_panel(), "set to this view", 130, 0));
+  click(find(values(), "set to this view", 130, 0));
   EXPECT_EQ(state().scene.bookmarks[0].camera.pitch_rad, at_sea_rad);
   EXPECT_EQ(state().scene.bookmarks[0].name, "bow");
-  click(find(main_panel(), "place and angles", 60, 0));
+  click(find(values(), "place and angles", 60, 0));
   const scene::Parameter& row = *scene::find_parameter("bookmark.pitch_deg");
-  const Spot tilt = find(main_panel(), present::parameter_label(row), 70, 0);
+  const Spot tilt = find(values(), present::parameter_label(row), 70, 0);
   drag(tilt, {tilt.x + 20, tilt.y});
   EXPECT_NE(state().scene.bookmarks[0].camera.pitch_rad, at_sea_rad);
 
   scene::save_scene(state().scene, "saved.toml", Existing::keep);
   EXPECT_EQ(scene::load_scene("saved.toml").bookmarks[0].name, "bow");
 
-  click(find(main_panel(), "remove", 250, 0));
+  click(find(values(), "remove", 250, 0));
   EXPECT_TRUE(state().scene.bookmarks.empty());
   press_with_control("z");
   EXPECT_EQ(state().scene.bookmarks.size(), 1u);

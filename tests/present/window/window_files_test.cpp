@@ -187,7 +187,7 @@ TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
   open(options);
   toggle_header("Scenes");
   // The lists are at the panel's end.
-  hands_->move_to(200, 60);
+  hands_->move_to(200, static_cast<int>(values()->Pos.y) + 40);
   turn();
   for (int i = 0; i < 40; ++i) {
     hands_->button(Hands::Button::wheel_down, Hands::Motion::down);
@@ -195,8 +195,8 @@ TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
   }
   turn(3);
   const auto choose_row = [&](const char* part, int number) {
-    const unsigned id = main_panel()->GetID(part);
-    click(find(ImGui::FindWindowByName(fmt::format("Offing/{}_{:08X}", part, id).c_str()), "##scene", 20,
+    const unsigned id = values()->GetID(part);
+    click(find(ImGui::FindWindowByName(fmt::format("Values/{}_{:08X}", part, id).c_str()), "##scene", 20,
                number));
     turn(3);
   };

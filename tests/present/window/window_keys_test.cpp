@@ -215,7 +215,7 @@ TEST_F(WindowKeysTest, TypingIsNotFlying) {
   open(quick_options());
   toggle_header("Sun");
   const Camera before = state().camera.camera();
-  click(find(main_panel(), present::parameter_label(*scene::find_parameter("sun.time_utc"))));
+  click(find(values(), present::parameter_label(*scene::find_parameter("sun.time_utc"))));
   type("wash_h");
   EXPECT_FALSE(state().shows_help);
   EXPECT_EQ(state().camera.camera().eye_m, before.eye_m);

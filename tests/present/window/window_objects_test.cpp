@@ -94,7 +94,7 @@ class WindowObjectsTest : public WindowTest {
   }
   /// Shows the panels again, and the lights with them, which are right of the panel then.
   void show_lights() {
-    glfwSetWindowSize(viewer_->window(), 1000, 300);
+    glfwSetWindowSize(viewer_->window(), 1000, 500);
     press("Tab");
     turn(4);
   }
@@ -193,9 +193,9 @@ TEST_F(WindowObjectsTest, DoubleClicksTypeValues) {
   open(options_of(objects_text));
   ImGui::GetIO().MouseDoubleClickTime = 60.0f;
   click(row({ObjectKind::mesh, 1}));
-  const unsigned block = main_panel()->GetID("properties");
+  const unsigned block = values()->GetID("properties");
   const std::string size = present::parameter_label(*scene::find_parameter("mesh.size_m"));
-  const Spot slider = find_item(main_panel(), size, ImHashStr(size.c_str(), 0, block), 70);
+  const Spot slider = find_item(values(), size, ImHashStr(size.c_str(), 0, block), 70);
   click(slider);
   click(slider);
   type("0.72");
@@ -208,13 +208,13 @@ TEST_F(WindowObjectsTest, DoubleClicksTypeValues) {
 TEST_F(WindowObjectsTest, ValuesAreOfTheSelection) {
   open(options_of(objects_text));
   click(row({ObjectKind::mesh, 1}));
-  const unsigned block = main_panel()->GetID("properties");
+  const unsigned block = values()->GetID("properties");
   const std::string size = present::parameter_label(*scene::find_parameter("mesh.size_m"));
-  const Spot slider = find_item(main_panel(), size, ImHashStr(size.c_str(), 0, block), 70);
+  const Spot slider = find_item(values(), size, ImHashStr(size.c_str(), 0, block), 70);
   drag(slider, {slider.x + 30, slider.y});
   EXPECT_GT(state().scene.meshes[1].size_m, 0.3);
   EXPECT_EQ(state().scene.meshes[0].size_m, 0.5);
-  find(main_panel(), "Highlights");
+  find(values(), "Highlights");
   using scene::ParameterGroup;
   EXPECT_TRUE(present::is_shown_with_selection(state(), ParameterGroup::highlight));
   EXPECT_FALSE(present::is_shown_with_selection(state(), ParameterGroup::sky));
@@ -418,9 +418,9 @@ TEST_F(WindowObjectsTest, BookmarksAreCameras) {
   EXPECT_EQ(selected(), (SceneObject{ObjectKind::bookmark, 0}));
   glfwSetWindowSize(viewer_->window(), 480, 1000);
   turn(4);
-  const unsigned block = main_panel()->GetID("properties");
+  const unsigned block = values()->GetID("properties");
   const auto press_button = [&](const char* label, int x_px) {
-    click(find_item(main_panel(), label, ImHashStr(label, 0, block), x_px));
+    click(find_item(values(), label, ImHashStr(label, 0, block), x_px));
   };
   const glm::dvec3 eye_m = state().camera.camera().eye_m;
   press_button("look through", 40);
@@ -510,9 +510,9 @@ TEST_F(WindowObjectsTest, PresetsSetTheSelectedBody) {
   choose_new("boat");
   ASSERT_EQ(state().scene.bodies.size(), 1u) << message();
   const std::string before = edited_text();
-  const unsigned block = main_panel()->GetID("properties");
+  const unsigned block = values()->GetID("properties");
   const std::string dinghy = "dinghy##hull-dinghy";
-  click(find_item(main_panel(), dinghy, ImHashStr(dinghy.c_str(), 0, block), 120));
+  click(find_item(values(), dinghy, ImHashStr(dinghy.c_str(), 0, block), 120));
   EXPECT_EQ(state().scene.meshes[0].size_m, 6.0) << message();
   EXPECT_EQ(state().scene.bodies[0].draught_m, 0.32);
   EXPECT_EQ(state().scene.bodies[0].thrust_n, 0.0);

@@ -38,7 +38,7 @@ TEST_F(WindowPanelsTest, Views) {
   }
   turn();
   EXPECT_TRUE(picture() == pictures.front());
-  click(find(main_panel(), "wireframe", 16));
+  click(find(values(), "wireframe", 16));
   turn();
   EXPECT_EQ(state().fill, present::Fill::wireframe);
   EXPECT_FALSE(picture() == pictures.front());
@@ -52,12 +52,12 @@ TEST_F(WindowPanelsTest, ImageAndPace) {
   toggle_header("View");
   picture();  // a sharp one, whose size is exact
   const int usual = width();
-  const Spot scale = find(main_panel(), "render scale", 100);
+  const Spot scale = find(values(), "render scale", 100);
   drag(scale, {scale.x - 50, scale.y});
   picture();
   EXPECT_LT(width(), usual);
   EXPECT_NEAR(width(), static_cast<double>(state().render_scale) * usual, 1.0);
-  const Spot limit = find(main_panel(), "most frames/s", 100);
+  const Spot limit = find(values(), "most frames/s", 100);
   drag(limit, {limit.x - 75, limit.y});
   const auto limit_hz = static_cast<double>(state().frame_limit_hz);
   ASSERT_GT(limit_hz, 0.0);
@@ -73,7 +73,7 @@ TEST_F(WindowPanelsTest, SceneFile) {
   open(quick_options());
   toggle_header("Wind");
   const scene::Parameter& speed = *scene::find_parameter("wind.speed_mps");
-  const Spot slider = find(main_panel(), present::parameter_label(speed), 70);
+  const Spot slider = find(values(), present::parameter_label(speed), 70);
   drag(slider, {slider.x + 30, slider.y});
   const double edited_mps = state().scene.wind.wind_speed_mps;
   EXPECT_NE(edited_mps, quick_options().scene.wind.wind_speed_mps);
@@ -87,7 +87,7 @@ TEST_F(WindowPanelsTest, SceneFile) {
   turn(2);
   const std::vector<unsigned char> live = picture();
 
-  click(find(main_panel(), "undo all edits", 160));
+  click(find(values(), "undo all edits", 160));
   EXPECT_EQ(state().scene.wind.wind_speed_mps, quick_options().scene.wind.wind_speed_mps);
   EXPECT_EQ(state().camera.camera().pitch_rad, quick_options().scene.view.camera.pitch_rad);
 
@@ -97,6 +97,31 @@ TEST_F(WindowPanelsTest, SceneFile) {
   turn(2);
   EXPECT_EQ(state().scene.wind.wind_speed_mps, edited_mps);
   EXPECT_TRUE(picture() == live);
+}
+
+// Fails if a button does something where its key has nothing to do, or nothing where it has.
+TEST_F(WindowPanelsTest, ButtonsWithoutAnEditAreGrey) {
+  present::ViewOptions options = quick_options();
+  scene::save_scene(options.scene, "calm.toml", Existing::keep);
+  options.scene_file = "calm.toml";
+  options.scene_name = "calm";
+  open(options);
+  const std::string before = edited_text();
+  const auto click_all = [&] {
+    for (const char* label : {"undo", "redo", "save"}) click(find(main_panel(), label, 290));
+  };
+  click_all();
+  EXPECT_EQ(message(), "");
+  toggle_header("Spectrum");
+  click(find(values(), "7##beaufort-7", 242));
+  const std::string edited = edited_text();
+  ASSERT_NE(edited, before);
+  click(find(main_panel(), "undo", 290));
+  EXPECT_EQ(edited_text(), before);
+  click(find(main_panel(), "redo", 340));
+  EXPECT_EQ(edited_text(), edited);
+  click(find(main_panel(), "save", 145));
+  EXPECT_NE(message().find("wrote"), std::string::npos) << message();
 }
 
 // Fails if a name that no file can have ends the window.
@@ -150,9 +175,9 @@ TEST_F(WindowPanelsTest, RecordingsFitTheirVideo) {
 TEST_F(WindowPanelsTest, Times) {
   open(quick_options());
   toggle_header("Frame times");
-  click(find(main_panel(), "device's clock", 135));
+  click(find(values(), "device's clock", 135));
   EXPECT_EQ(state().shown_times, present::TimeSource::device);
-  click(find(main_panel(), "CPU's clock", 20));
+  click(find(values(), "CPU's clock", 20));
   EXPECT_EQ(state().shown_times, present::TimeSource::cpu);
   look_at_sea();
   press("space");

@@ -63,7 +63,7 @@ TEST_F(WindowQuitTest, EscapeClosesListsThenDeselects) {
   press("b");
   ASSERT_EQ(state().clouds.tool, present::CloudTool::place_ball);
   toggle_header("View");
-  click(find(main_panel(), "show"));
+  click(find(values(), "show"));
   ASSERT_NE(open_list(), nullptr);
   ASSERT_TRUE(open_list()->Active);
   press("Escape");

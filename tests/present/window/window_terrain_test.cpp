@@ -157,7 +157,7 @@ TEST_F(WindowTerrainTest, RefusesFilesThatAreNotThere) {
   open(terrain_options());
   const std::vector<unsigned char> before = picture();
   toggle_header("Height map");
-  enter(find(main_panel(), present::parameter_label(*scene::find_parameter("terrain.file"))), "nowhere.tif");
+  enter(find(values(), present::parameter_label(*scene::find_parameter("terrain.file"))), "nowhere.tif");
   turn(2);
   EXPECT_NE(message().find("nowhere.tif"), std::string::npos) << message();
   EXPECT_TRUE(state().message.is_fault);
@@ -169,8 +169,7 @@ TEST_F(WindowTerrainTest, RefusesFilesThatAreNotThere) {
 TEST_F(WindowTerrainTest, StaysAboveAnEditedGround) {
   open(terrain_options());
   toggle_header("Ground");
-  const Spot spot =
-      find(main_panel(), present::parameter_label(*scene::find_parameter("terrain.mean_m")), 70);
+  const Spot spot = find(values(), present::parameter_label(*scene::find_parameter("terrain.mean_m")), 70);
   drag(spot, {spot.x + 100, spot.y});
   turn(2);
   EXPECT_GT(state().scene.terrain.fractal.mean_m, 600.0);

@@ -81,6 +81,14 @@ void WindowTest::turn(int count) {
   for (int i = 0; i < count; ++i) viewer_->turn();
 }
 
+void WindowTest::settle() {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  for (int i = 0; i < 8; ++i) {
+    hands_->move_to(static_cast<int>(at.x) + i % 2, static_cast<int>(at.y));
+    turn();
+  }
+}
+
 void WindowTest::press(const char* key) {
   ++steps_;
   // ImGui sees keys as frames find them.
@@ -239,6 +247,10 @@ ImGuiWindow* WindowTest::main_panel() {
   return ImGui::FindWindowByName("Offing");
 }
 
+ImGuiWindow* WindowTest::values() {
+  return ImGui::FindWindowByName("Values");
+}
+
 ImGuiWindow* WindowTest::timeline() {
   return ImGui::FindWindowByName("Timeline");
 }
@@ -330,7 +342,7 @@ void WindowTest::wait_for_clouds() {
 }
 
 void WindowTest::choose(const std::string& combo, const std::string& name, std::optional<int> element) {
-  click(find(main_panel(), combo, 60, element));
+  click(find(values(), combo, 60, element));
   click(find(open_list(), name, 20));
 }
 

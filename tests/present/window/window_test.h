@@ -37,6 +37,8 @@ class WindowTest : public testing::Test {
   /// Opens the window, paused, as large as the display allows.
   void open(const present::ViewOptions& options);
   void turn(int count = 1);
+  /// Frames in which panels are drawn anew, until sizes that depend on each other have settled.
+  void settle();
   /// What a user has done so far: keys, alone or with others held, clicks, drags and words that were typed.
   int steps() const { return steps_; }
   void press(const char* key);
@@ -71,8 +73,10 @@ class WindowTest : public testing::Test {
   int width() const;
   int height() const;
 
-  /// The main panel, the timeline, the list that a combo box has opened, or the menu that a button has.
+  /// The main panel, the values below it, the timeline, the list that a combo box has opened, or the menu
+  /// that a button has.
   static ImGuiWindow* main_panel();
+  static ImGuiWindow* values();
   static ImGuiWindow* timeline();
   static ImGuiWindow* open_list();
   static ImGuiWindow* open_menu();
@@ -82,7 +86,7 @@ class WindowTest : public testing::Test {
   Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60, std::optional<int> element = {});
   /// The first field of three.
   Spot find_triple(ImGuiWindow* window, const std::string& label, std::optional<int> element = {});
-  void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
+  void toggle_header(const std::string& title) { click(find(values(), title)); }
   void choose(const std::string& combo, const std::string& name, std::optional<int> element = {});
   /// The same of an item that ImGui knows by this id.
   Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
