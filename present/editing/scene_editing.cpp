@@ -200,7 +200,7 @@ void SceneEditing::remove_picked() {
   if (state_.picked) {
     state_.message = fault_message(
         Error(ErrorKind::bad_usage, "a highlight cannot be deleted",
-              "click on the mesh beside it to select the mesh, or delete its [[mesh.highlight]]"));
+              "click on the mesh beside it to select the mesh, or remove it in the panel Highlights"));
   } else if (object && object->kind != ObjectKind::cloud) {
     remove(*object);
   } else {

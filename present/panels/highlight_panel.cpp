@@ -77,10 +77,10 @@ Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>&
   const scene::MeshScene& mesh = state.scene.meshes[state.picked->mesh];
   ImGui::PushTextWrapPos(24.0f * ImGui::GetFontSize());
   if (drawn->rule < 0) {
-    ImGui::TextDisabled("of %s, found from the lights; an edit adds a [[mesh.highlight]] for it",
+    ImGui::TextDisabled("of %s, where the lights put it; an edit makes it a highlight of its own",
                         mesh.name.c_str());
   } else {
-    ImGui::TextDisabled("of %s, by [[mesh.highlight]] %d", mesh.name.c_str(), drawn->rule + 1);
+    ImGui::TextDisabled("of %s, number %d of its own highlights", mesh.name.c_str(), drawn->rule + 1);
   }
   ImGui::PopTextWrapPos();
   const Edit keys = draw_key_buttons(state, *drawn);

@@ -55,7 +55,7 @@ void draw_section(std::string_view section, std::size_t number = 0) {
   if (number > 0) words += fmt::format(" {}", number);
   ImGui::TextDisabled("%s", words.c_str());
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip(number > 0 ? "[[%s]]" : "[%s]",
+  ImGui::SetTooltip(number > 0 ? "in scene files: [[%s]]" : "in scene files: [%s]",
                     std::string(section).c_str());
 }
 
@@ -254,8 +254,8 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
   if (facts.has_meshes) choose("meshes show", all_mesh_shows, state.meshes);
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;
-  ImGui::SliderFloat("keep frames/s", &state.kept_hz, 0.0f, 120.0f,
-                     state.kept_hz > 0.0f ? "%.0f by quality" : "no, keep quality",
+  ImGui::SliderFloat("hold frame rate", &state.kept_hz, 0.0f, 120.0f,
+                     state.kept_hz > 0.0f ? "%.0f, coarser if slow" : "no, full quality",
                      ImGuiSliderFlags_AlwaysClamp);
   if (state.kept_hz > 0.0f) {
     const Quality& now = facts.quality;

@@ -66,6 +66,12 @@ glm::dvec3 linear_of(const glm::dvec3& srgb) {
   return {curve(srgb.x), curve(srgb.y), curve(srgb.z)};
 }
 
+/// Of a choice, as people say it.
+std::string shown_choice(std::string_view name) {
+  if (name == "as_genus") return "as usual for its genus";
+  return std::string(name);
+}
+
 /// One kind of widget for each alternative of scene::Storage.
 class Widget {
  public:
@@ -144,9 +150,9 @@ class Widget {
   Edit operator()(const scene::ChoiceStorage& choice) {
     const std::size_t chosen = choice.in(section_);
     Edit edit = Edit::none;
-    if (!ImGui::BeginCombo(label_.c_str(), std::string(choice.names[chosen]).c_str())) return edit;
+    if (!ImGui::BeginCombo(label_.c_str(), shown_choice(choice.names[chosen]).c_str())) return edit;
     for (std::size_t i = 0; i < choice.names.size(); ++i) {
-      if (ImGui::Selectable(std::string(choice.names[i]).c_str(), i == chosen)) {
+      if (ImGui::Selectable(shown_choice(choice.names[i]).c_str(), i == chosen)) {
         choice.set_in(section_, i);
         edit = Edit::done;
       }
@@ -361,9 +367,22 @@ std::string_view word_for(std::string_view part) {
   return found == words.end() ? part : found->word;
 }
 
+/// The names of values whose keys are words of another trade.
+std::string_view words_for_key(std::string_view key) {
+  struct Named {
+    std::string_view key, words;
+  };
+  static constexpr auto named = std::to_array<Named>({{"ocean.foam.onset_jacobian", "foam threshold"},
+                                                      {"ocean.foam.width", "threshold softness"},
+                                                      {"ocean.foam.fraction", "foam cover"}});
+  const auto found = std::ranges::find(named, key, &Named::key);
+  return found == named.end() ? std::string_view() : found->words;
+}
+
 }  // namespace
 
 std::string words_of(const Parameter& row) {
+  if (const std::string_view named = words_for_key(row.key); !named.empty()) return std::string(named);
   std::string_view name = scene::name_of(row.key);
   const std::string_view ending = ending_of(row.unit);
   if (!ending.empty() && name.ends_with(ending)) name.remove_suffix(ending.size());

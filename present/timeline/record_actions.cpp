@@ -106,7 +106,7 @@ void RecordActions::for_shown_names(const std::function<void(std::string_view)>&
 }
 
 void RecordActions::draw(ImageSize window) {
-  if (dialog_.draw(window)) begin();
+  if (dialog_.draw(window, state_.clock.time_s())) begin();
 }
 
 }  // namespace offing::present

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -97,10 +98,11 @@ void RecordDialog::draw_format() {
 }
 
 void RecordDialog::draw_size(ImageSize window) {
-  constexpr int largest = scene::longest_picture_px;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest_px_);
+  longest_px_ = std::min(longest_px_, scene::longest_picture_px);
   std::array<int, 2> sides{request_.size.width, request_.size.height};
   if (ImGui::InputInt2("width, height", sides.data()))
-    request_.size = {std::clamp(sides[0], 1, largest), std::clamp(sides[1], 1, largest)};
+    request_.size = {std::max(sides[0], 1), std::max(sides[1], 1)};
   struct Usual {
     const char* label;
     ImageSize size;
@@ -114,11 +116,14 @@ void RecordDialog::draw_size(ImageSize window) {
   }
 }
 
-void RecordDialog::draw_range() {
+void RecordDialog::draw_range(double now_s) {
   if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::InputDouble("seconds", &request_.seconds, 0.0, 0.0, "%.6g");
   explain_item("from where the window sees now, or along the keyframes of the camera");
   ImGui::InputDouble("start, s", &request_.start_s, 0.0, 0.0, "%.6g");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("now")) request_.start_s = now_s;
+  explain_item("from the time that the window shows");
   ImGui::InputDouble("frames/s", &request_.frames_per_second, 0.0, 0.0, "%.6g");
 }
 
@@ -137,7 +142,7 @@ void RecordDialog::draw_name() {
   ImGui::Checkbox("replace existing files", &request_.replaces);
 }
 
-bool RecordDialog::draw(ImageSize window) {
+bool RecordDialog::draw(ImageSize window, double now_s) {
   constexpr const char* title = "Record###record dialog";
   if (is_open_ && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -151,7 +156,7 @@ bool RecordDialog::draw(ImageSize window) {
   has_list_ = false;
   ImGui::PushItemWidth(width - 10.0f * em);
   ImGui::PushTextWrapPos(width - em);
-  draw_range();
+  draw_range(now_s);
   draw_format();
   draw_size(window);
   bool is_high = request_.detail == Detail::high;
@@ -169,6 +174,13 @@ bool RecordDialog::draw(ImageSize window) {
   ImGui::PopTextWrapPos();
   ImGui::PopItemWidth();
   if (is_wanted) fault_.clear();
+  if (is_wanted && std::max(request_.size.width, request_.size.height) > longest_px_) {
+    is_wanted = false;
+    refuse(
+        fmt::format("expected a width and a height of at most {} pixels, which is what this device draws, "
+                    "found {} x {}",
+                    longest_px_, request_.size.width, request_.size.height));
+  }
   if (!is_open_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return is_wanted && is_open_;

@@ -45,17 +45,19 @@ class RecordDialog {
   /// As it was edited last.
   const RecordingRequest& request() const { return request_; }
   /// Between PanelLayer::begin() and end(). Whether it is to be recorded.
-  bool draw(ImageSize window);
+  /// `now_s`: the time that the window shows.
+  bool draw(ImageSize window, double now_s);
 
  private:
   void draw_format();
   void draw_size(ImageSize window);
-  void draw_range();
+  void draw_range(double now_s);
   void draw_name();
 
   bool is_open_ = false, focuses_seconds_ = false, has_list_ = false;
   RecordingRequest request_;
   std::string fault_;
+  int longest_px_ = 0;  // side that the device draws
 };
 
 }  // namespace offing::present

@@ -1,4 +1,5 @@
 // Recording from the window.
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <imgui.h>
 // Windows of the panels, which only ImGui knows.
@@ -109,6 +111,37 @@ TEST_F(WindowRecordTest, FiveSecondsInThreeSteps) {
     pictures.insert(pictures.end(), image.rgb.begin(), image.rgb.end());
   }
   EXPECT_TRUE(video == pictures);
+}
+
+// Fails if a recording cannot begin at the time that is shown, or a size that the device does not draw is
+// taken.
+TEST_F(WindowRecordTest, FromTheTimeThatIsShown) {
+  open(two_frames_a_second());
+  for (int i = 0; i < 3; ++i) press("period");
+  const auto first = static_cast<int>(std::lround(2.0 * state().clock.time_s()));
+  ASSERT_GT(first, 0);
+  press_with_control("r");
+  turn(2);
+  click(find(dialog(), "now", 392));
+  click(find_triple(dialog(), "width, height"));
+  press_with_control("a");
+  type("999999");
+  press("Return");
+  turn(2);
+  ASSERT_TRUE(viewer_->is_recording()) << "the dialog is open";
+  EXPECT_TRUE(files().empty());
+  press("Escape");
+  turn(2);
+  EXPECT_FALSE(viewer_->is_recording());
+  press_with_control("r");
+  turn(2);
+  click(find(dialog(), "now", 392));
+  choose_format("pictures (.png)");
+  click(find(dialog(), "record", 20));
+  wait_for_end();
+  const auto name = [](int frame) { return fmt::format("offing_001_{:04}.png", frame); };
+  EXPECT_THAT(files(), testing::Contains(name(first))) << message();
+  EXPECT_THAT(files(), testing::Not(testing::Contains(name(first - 1))));
 }
 
 // Fails if a format, a size or a range that the mouse chooses is not the one of the files, or files of an
