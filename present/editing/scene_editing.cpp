@@ -215,7 +215,15 @@ void SceneEditing::duplicate_picked(const Screen& screen) {
     return work([&] { return clouds_.duplicate(state_, sea_.clouds()); });
   add([&](scene::Scene& scene) {
     const SceneObject copy = duplicate_object(scene, *object, way_beside(sea_, *object, screen));
-    return AddedObject{copy, fmt::format("added {}", label_of(scene, copy))};
+    const auto wakes = [&](const SceneObject& of) {
+      const std::optional<std::size_t> body =
+          of.kind == ObjectKind::body ? std::optional(of.index) : body_of_part(scene, of);
+      if (of.kind == ObjectKind::wake || !body) return std::ptrdiff_t{0};
+      return std::ranges::count(parts_of_body(scene, *body), ObjectKind::wake, &SceneObject::kind);
+    };
+    std::string news = fmt::format("added {}", label_of(scene, copy));
+    if (wakes(copy) < wakes(*object)) news += no_room_for_wake;
+    return AddedObject{copy, news};
   });
 }
 
@@ -240,6 +248,14 @@ void SceneEditing::remove(const SceneObject& object) {
 void SceneEditing::do_to_object(const ObjectEdit& edit, const Screen& screen) {
   if (edit.kind == ObjectEdit::Kind::add)
     return add([&](scene::Scene& scene) { return add_object(scene, edit.added, new_place(sea_, screen)); });
+  if (edit.kind == ObjectEdit::Kind::stop_floating) {
+    make([&](scene::Scene& scene) {
+      stop_floating(scene, edit.object.index);
+      return std::string("it stands where it floated at its start");
+    });
+    if (!state_.message.is_fault) deselect_objects(state_);
+    return;
+  }
   make([&](scene::Scene& scene) {
     rename_object(scene, edit.object, edit.name);
     return std::string();

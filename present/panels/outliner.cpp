@@ -47,8 +47,19 @@ ImU32 colour_of(ObjectKind kind) {
 /// How far an object stands below what it belongs to.
 float depth_of(const scene::Scene& scene, const SceneObject& object) {
   const bool is_nested = object.kind == ObjectKind::wake || object.kind == ObjectKind::bookmark ||
-                         (object.kind == ObjectKind::body && hull_of_body(scene, object.index).has_value());
+                         body_of_part(scene, object).has_value();
   return is_nested ? 1.0f : 0.0f;
+}
+
+/// What a row hides and shows: a mesh, or all those of a body.
+std::vector<std::size_t> meshes_of_row(const scene::Scene& scene, const SceneObject& object) {
+  if (object.kind == ObjectKind::mesh) return {object.index};
+  std::vector<std::size_t> meshes;
+  if (object.kind != ObjectKind::body) return meshes;
+  for (const SceneObject& part : parts_of_body(scene, object.index)) {
+    if (part.kind == ObjectKind::mesh) meshes.push_back(part.index);
+  }
+  return meshes;
 }
 
 std::optional<NewObject> draw_genera(const char* label, NewObject::Kind kind) {
@@ -138,25 +149,24 @@ void open_row(ViewState& state, const SceneObject& object, PanelEdits& edits) {
 
 constexpr float eye_ems = 1.6f;
 
-/// At the end of a row: an eye that is open, or a line where the mesh is hidden.
-void draw_eye(ViewState& state, std::size_t mesh, PanelEdits& edits) {
+/// At the end of a row: an eye that is open, or struck through where the meshes are hidden.
+void draw_eye(ViewState& state, const std::vector<std::size_t>& meshes, PanelEdits& edits) {
   const float em = ImGui::GetFontSize();
-  world::MeshVisibility& visible = state.scene.meshes[mesh].material.visible;
-  const bool is_shown = visible == world::MeshVisibility::on;
+  const auto visible = [&](std::size_t mesh) -> world::MeshVisibility& {
+    return state.scene.meshes[mesh].material.visible;
+  };
+  const bool is_shown = visible(meshes.front()) == world::MeshVisibility::on;
   ImGui::SameLine(0.0f, 0.0f);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##visible", {eye_ems * em, ImGui::GetTextLineHeight()})) {
-    visible = is_shown ? world::MeshVisibility::off : world::MeshVisibility::on;
+    for (const std::size_t mesh : meshes)
+      visible(mesh) = is_shown ? world::MeshVisibility::off : world::MeshVisibility::on;
     edits.scene = Edit::done;
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_shown ? "hide" : "show");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_shown ? "hide" : "hidden: click to show");
   const ImVec2 middle(corner.x + 0.5f * eye_ems * em, corner.y + 0.5f * ImGui::GetTextLineHeight());
   const ImU32 colour = ImGui::GetColorU32(is_shown ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (!is_shown) {
-    list.AddLine({middle.x - 0.5f * em, middle.y}, {middle.x + 0.5f * em, middle.y}, colour, 1.5f);
-    return;
-  }
   // Two arcs of 90 degrees that meet in the corners.
   constexpr float quarter = 1.5707963f;
   const float radius = 0.71f * em, rise = 0.5f * em;
@@ -164,18 +174,51 @@ void draw_eye(ViewState& state, std::size_t mesh, PanelEdits& edits) {
   list.PathArcTo({middle.x, middle.y - rise}, radius, 0.5f * quarter, 1.5f * quarter, 8);
   list.PathStroke(colour, ImDrawFlags_Closed, 1.2f);
   list.AddCircleFilled(middle, 0.15f * em, colour);
+  if (is_shown) return;
+  const float across = 0.45f * em, high = 0.36f * em;
+  list.AddLine({middle.x - across, middle.y + high}, {middle.x + across, middle.y - high},
+               ImGui::GetColorU32(ImGuiCol_Text), 1.5f);
 }
 
 /// How a row is shown.
 enum class RowShow { plain, selected, newly_selected };
 
-void draw_row(ViewState& state, const SceneObject& object, RowShow show, PanelEdits& edits) {
-  const bool is_selected = show != RowShow::plain;
-  const float em = ImGui::GetFontSize(), indent = (0.2f + depth_of(state.scene, object)) * em;
+/// Before the row of a body: an arrow that opens and closes its parts. True while they are open.
+bool draw_arrow(float width_px, bool has_to_be_open) {
+  const float em = ImGui::GetFontSize(), height = ImGui::GetTextLineHeight();
+  bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("is open"), false);
+  is_open = is_open || has_to_be_open;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (state.renaming && state.renaming->object == object) return draw_name_field(state, edits);
-  const bool has_eye = object.kind == ObjectKind::mesh;
-  const ImVec2 size(ImGui::GetContentRegionAvail().x - (has_eye ? eye_ems * em : 0.0f), 0.0f);
+  if (ImGui::InvisibleButton("##open", {width_px, height})) is_open = !is_open;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_open ? "close" : "hull, what is aboard, and wakes");
+  ImGui::SameLine(0.0f, 0.0f);
+  const ImVec2 middle(corner.x + 0.6f * em, corner.y + 0.5f * height);
+  const float side = 0.28f * em;
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (is_open) {
+    list.AddTriangleFilled({middle.x - side, middle.y - 0.6f * side},
+                           {middle.x + side, middle.y - 0.6f * side}, {middle.x, middle.y + side}, colour);
+  } else {
+    list.AddTriangleFilled({middle.x - 0.6f * side, middle.y - side},
+                           {middle.x - 0.6f * side, middle.y + side}, {middle.x + side, middle.y}, colour);
+  }
+  return is_open;
+}
+
+/// True if its parts are to follow. `has_to_be_open`: one of them has just been selected.
+bool draw_row(ViewState& state, const SceneObject& object, RowShow show, bool has_to_be_open,
+              PanelEdits& edits) {
+  const bool is_selected = show != RowShow::plain, is_body = object.kind == ObjectKind::body;
+  const float em = ImGui::GetFontSize(), indent = (1.2f + depth_of(state.scene, object)) * em;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool is_open = is_body && draw_arrow(indent, has_to_be_open);
+  if (state.renaming && state.renaming->object == object) {
+    draw_name_field(state, edits);
+    return is_open;
+  }
+  const std::vector<std::size_t> meshes = meshes_of_row(state.scene, object);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x - (meshes.empty() ? 0.0f : eye_ems * em), 0.0f);
   if (ImGui::Selectable("##object", is_selected, ImGuiSelectableFlags_AllowDoubleClick, size)) {
     if (!is_selected) select_object(state, object);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) open_row(state, object, edits);
@@ -189,7 +232,8 @@ void draw_row(ViewState& state, const SceneObject& object, RowShow show, PanelEd
   list.AddCircleFilled({corner.x + indent + 0.4f * em, middle}, 0.28f * em, colour_of(object.kind));
   list.AddText({corner.x + indent + 1.1f * em, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
                label_of(state.scene, object).c_str());
-  if (has_eye) draw_eye(state, object.index, edits);
+  if (!meshes.empty()) draw_eye(state, meshes, edits);
+  return is_open;
 }
 
 void draw_list(ViewState& state, PanelEdits& edits) {
@@ -198,17 +242,25 @@ void draw_list(ViewState& state, PanelEdits& edits) {
   const float room = most_share * state.layout.main_room() / ImGui::GetTextLineHeightWithSpacing() - 1.0f;
   const std::vector<SceneObject> objects = objects_of(state.scene);
   const std::optional<SceneObject> selected = selected_object(state);
+  const bool is_new = selected != state.listed;
+  const std::optional<std::size_t> opened =
+      is_new && selected ? body_of_part(state.scene, *selected) : std::nullopt;
   const float rows =
       std::min(static_cast<float>(objects.size()), std::clamp(std::floor(room), least_rows, most_rows));
   const float height_px =
       rows * ImGui::GetTextLineHeightWithSpacing() + 2.0f * ImGui::GetStyle().WindowPadding.y;
   ImGui::BeginChild("objects", ImVec2(0.0f, height_px), true);
+  bool are_parts_open = false;
   for (const SceneObject& object : objects) {
+    const bool is_body = object.kind == ObjectKind::body;
+    if (!is_body && !are_parts_open && body_of_part(state.scene, object)) continue;
     // Where a list changes while one of its rows is open, the row is gone.
     ImGui::PushID(static_cast<int>(object.kind));
     ImGui::PushID(static_cast<int>(object.index));
-    const RowShow show = selected == state.listed ? RowShow::selected : RowShow::newly_selected;
-    draw_row(state, object, object == selected ? show : RowShow::plain, edits);
+    const RowShow show = is_new ? RowShow::newly_selected : RowShow::selected;
+    const bool is_open = draw_row(state, object, object == selected ? show : RowShow::plain,
+                                  is_body && opened == object.index, edits);
+    if (is_body) are_parts_open = is_open;
     ImGui::PopID();
     ImGui::PopID();
   }
@@ -238,13 +290,7 @@ void draw_view_buttons(ViewState& state, std::size_t bookmark, PanelEdits& edits
   }
 }
 
-/// The values of an object but for its name, which the list changes.
-void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& edits) {
-  const bool is_body = object.kind == ObjectKind::body;
-  const std::string title =
-      fmt::format("{}###{}", label_of(state.scene, object), is_body ? "body" : "properties");
-  if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
-  ImGui::PushID("properties");
+void draw_object_values(ViewState& state, const SceneObject& object, PanelEdits& edits) {
   if (object.kind == ObjectKind::bookmark) draw_view_buttons(state, object.index, edits);
   if (object.kind == ObjectKind::camera)
     ImGui::TextDisabled("Fly with W A S D and the mouse. A bookmark is a view with handles.");
@@ -257,6 +303,23 @@ void draw_properties(ViewState& state, const SceneObject& object, PanelEdits& ed
       note_edit(parameter_widget(state.scene, row, state.edit, element), group, state, edits);
     }
   }
+  if (object.kind != ObjectKind::body) return;
+  if (ImGui::Button("stop floating"))
+    edits.object = ObjectEdit{.kind = ObjectEdit::Kind::stop_floating, .object = object};
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("the meshes stay where the body floats at its start; its wakes go");
+}
+
+/// Below the selected object.
+void draw_part_values(ViewState& state, const SceneObject& part, PanelEdits& edits) {
+  const int kind = static_cast<int>(part.kind), index = static_cast<int>(part.index);
+  ImGui::PushID(kind);
+  ImGui::PushID(index);
+  const bool is_body = part.kind == ObjectKind::body;
+  const std::string title =
+      fmt::format("{}{}###values", is_body ? "body and engine: " : "", label_of(state.scene, part));
+  if (ImGui::CollapsingHeader(title.c_str())) draw_object_values(state, part, edits);
+  ImGui::PopID();
   ImGui::PopID();
 }
 
@@ -281,7 +344,7 @@ std::vector<scene::ParameterGroup> groups_beside(ObjectKind kind) {
     case ObjectKind::mesh:
       return {highlight};
     case ObjectKind::body:
-      return {mooring};
+      return {mooring, wake_hull, highlight};
     case ObjectKind::bookmark:
     case ObjectKind::lake:
     case ObjectKind::light:
@@ -309,10 +372,22 @@ void draw_outliner(ViewState& state, PanelEdits& edits) {
 void draw_selected_values(ViewState& state, PanelEdits& edits) {
   const std::optional<SceneObject> selected = selected_object(state);
   if (!selected) return;
-  draw_properties(state, *selected, edits);
-  if (selected->kind != ObjectKind::mesh) return;
-  if (const std::optional<std::size_t> body = body_of_mesh(state.scene, selected->index))
-    draw_properties(state, {ObjectKind::body, *body}, edits);
+  const std::string title = fmt::format("{}###selected", label_of(state.scene, *selected));
+  if (ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) {
+    ImGui::PushID("properties");
+    draw_object_values(state, *selected, edits);
+    ImGui::PopID();
+  }
+  // All that makes up a boat, whichever part of it is selected.
+  const std::optional<std::size_t> body = selected->kind == ObjectKind::body
+                                              ? std::optional(selected->index)
+                                              : body_of_part(state.scene, *selected);
+  if (!body) return;
+  std::vector<SceneObject> parts = parts_of_body(state.scene, *body);
+  parts.insert(parts.begin(), {ObjectKind::body, *body});
+  for (const SceneObject& part : parts) {
+    if (part != *selected) draw_part_values(state, part, edits);
+  }
 }
 
 }  // namespace offing::present

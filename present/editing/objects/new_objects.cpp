@@ -86,7 +86,7 @@ AddedObject add_mesh_shape(Scene& scene, std::size_t shape, const NewPlace& plac
   return {{ObjectKind::mesh, scene.meshes.size() - 1}, fmt::format("added the mesh {}", mesh.name)};
 }
 
-constexpr double least_boat_m = 4.0, most_boat_m = 60.0;
+constexpr double least_boat_m = 4.0, most_boat_m = 30.0;
 // Of its speed: waves that it makes are seen, and it does not plane.
 constexpr double froude_number = 0.33, gravity_mps2 = 9.81;
 // Of the shape "ship", which keeps its course: its draught in lengths, and the thrust that keeps this speed
@@ -102,7 +102,7 @@ AddedObject add_boat(Scene& scene, const NewPlace& place) {
   const double wanted_m = share * picture_height_m(place.camera, *place.water_m);
   const double length_m = rounded(std::clamp(wanted_m, least_boat_m, most_boat_m));
   const std::string name = unused_name(scene.bodies, "boat");
-  scene::MeshScene& hull = append_mesh(scene, fmt::format("{} hull", name));
+  scene::MeshScene& hull = append_mesh(scene, hull_name_of(name));
   hull.shape = shape_named("ship");
   hull.size_m = length_m;
   hull.material.colour = {0.25, 0.05, 0.02};
@@ -118,6 +118,9 @@ AddedObject add_boat(Scene& scene, const NewPlace& place) {
   body.heading_rad = place.camera.yaw_rad - away_rad;
   body.speed_mps = rounded(froude_number * std::sqrt(gravity_mps2 * length_m));
   body.thrust_n = rounded(thrust_npm3 * length_m * length_m * length_m);
+  const AddedObject added{{ObjectKind::body, scene.bodies.size() - 1},
+                          fmt::format("added {}, {:g} m long: it sails while time runs", name, length_m)};
+  if (!has_room_for_wake(scene)) return {added.object, added.news + no_room_for_wake};
   constexpr double window_lengths = 8.0, behind_lengths = 3.0;
   const int cells = scene.ocean.wakes.empty() ? 0 : scene.ocean.wakes.front().parameters.cells;
   append(scene, "ocean.wake.length_m");
@@ -128,8 +131,7 @@ AddedObject add_boat(Scene& scene, const NewPlace& place) {
   wake.body = name;
   wake.behind_m = rounded(behind_lengths * length_m);
   wake.history_s = 10.0;
-  return {{ObjectKind::mesh, scene.meshes.size() - 1},
-          fmt::format("added {}, {:g} m long: it sails while time runs", name, length_m)};
+  return added;
 }
 
 AddedObject add_light(Scene& scene, const NewPlace& place) {

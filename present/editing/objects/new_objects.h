@@ -27,9 +27,13 @@ struct AddedObject {
   std::string news;
 };
 
+/// Of a boat beyond those whose wakes a scene can have.
+inline constexpr const char* no_room_for_wake = ", without a wake: the scene takes no more wakes";
+
 /// Adds an object at a place, of a size that shows well from there. A boat is a hull with a body, an engine
-/// that drives it across the picture, and a wake window that follows it. Throws Error(bad_input) where a
-/// scene takes no more, Error(bad_usage) for a boat without water, and for what the scene has already.
+/// that drives it across the picture, and a wake window that follows it, if the scene takes one more. Throws
+/// Error(bad_input) where a scene takes no more, Error(bad_usage) for a boat without water, and for what the
+/// scene has already.
 AddedObject add_object(scene::Scene& scene, const NewObject& object, const NewPlace& place);
 
 /// How far beside an object its copy goes: to the right of the picture, so that the two do not touch.

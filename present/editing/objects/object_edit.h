@@ -18,9 +18,9 @@ struct NewObject {
 
 /// What a user asks for of the objects of a scene, beside what keys do.
 struct ObjectEdit {
-  enum class Kind { add, rename };
+  enum class Kind { add, rename, stop_floating };
   Kind kind = Kind::add;
-  SceneObject object = {};  ///< of rename
+  SceneObject object = {};  ///< that is there already
   NewObject added = {};
   std::string name = {};  ///< of rename
 };

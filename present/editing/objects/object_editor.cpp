@@ -311,7 +311,10 @@ void ObjectEditor::select_at(ViewState& state, LiveSea& sea, const Screen& scree
   const std::optional<MeshHit> hit = picker_.hit(sea.meshes(), screen.camera, clip);
   if (hit && hit->distance_m < distance_of_ground_m(sea, screen, clip)) {
     const bool is_again = selected_mesh(state) == hit->mesh;
-    if (!is_again) return select_object(state, {ObjectKind::mesh, hit->mesh});
+    const std::optional<std::size_t> body = body_of_mesh(state.scene, hit->mesh);
+    const SceneObject object =
+        body ? SceneObject{ObjectKind::body, *body} : SceneObject{ObjectKind::mesh, hit->mesh};
+    if (!is_again) return select_object(state, object);
     state.picked = hit->highlight;
     return;
   }

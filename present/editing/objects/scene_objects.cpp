@@ -109,6 +109,16 @@ std::size_t copy_mesh(Scene& scene, std::size_t mesh) {
   return copy;
 }
 
+/// Of a body, for its copy, as far as there is room.
+void copy_wakes(Scene& scene, std::size_t body, const std::string& copied_name) {
+  const std::size_t count = scene.ocean.wakes.size();
+  for (std::size_t i = 0; i < count && has_room_for_wake(scene); ++i) {
+    if (body_of_part(scene, {ObjectKind::wake, i}) != body) continue;
+    const std::size_t copy = append_copy(scene, ObjectKind::wake, scene.ocean.wakes, i);
+    scene.ocean.wakes[copy].body = copied_name;
+  }
+}
+
 /// With its hull and what is aboard; returns the hull's copy and the body's.
 std::pair<std::size_t, std::size_t> copy_body(Scene& scene, std::size_t body, std::size_t hull,
                                               const glm::dvec3& way_m) {
@@ -121,6 +131,7 @@ std::pair<std::size_t, std::size_t> copy_body(Scene& scene, std::size_t body, st
   scene.bodies[copy].mesh = scene.meshes[mesh].name;
   push_place(scene, "body", copy, way_m);
   for (const std::size_t each : aboard) scene.meshes[copy_mesh(scene, each)].aboard = copied_name;
+  copy_wakes(scene, body, copied_name);
   return {mesh, copy};
 }
 
@@ -128,13 +139,9 @@ void remove_element_of(Scene& scene, ObjectKind kind, std::size_t index) {
   scene::remove_element(scene, section_of_kind(kind), {index, 0});
 }
 
-/// Wake windows that would have no body to follow without this one.
 void remove_wakes_of(Scene& scene, std::size_t body) {
-  const std::string& name = scene.bodies[body].name;
   for (std::size_t i = scene.ocean.wakes.size(); i-- > 0;) {
-    const scene::WakeScene& wake = scene.ocean.wakes[i];
-    const bool follows = wake.body.empty() ? scene.bodies.size() == 1 : wake.body == name;
-    if (wake.centre == scene::WakeCentre::body && follows) remove_element_of(scene, ObjectKind::wake, i);
+    if (body_of_part(scene, {ObjectKind::wake, i}) == body) remove_element_of(scene, ObjectKind::wake, i);
   }
 }
 
@@ -193,23 +200,12 @@ void place_in_world(Scene& scene, std::size_t mesh, const FloatingStart& start) 
   turn_value(scene, "mesh.yaw_deg", element, bodies::heading_of(start.pose));
 }
 
-void remove_body(Scene& scene, std::size_t index) {
-  const FloatingStart start = start_of(scene, index);
-  std::vector<std::size_t> meshes = meshes_aboard(scene, index);
-  meshes.push_back(scene::mesh_of_body(scene, index));
-  for (const std::size_t mesh : meshes) place_in_world(scene, mesh, start);
-  remove_wakes_of(scene, index);
-  remove_element_of(scene, ObjectKind::body, index);
-}
-
-void remove_mesh(Scene& scene, std::size_t index) {
-  std::vector<std::size_t> gone{index};
-  if (const std::optional<std::size_t> body = body_of_mesh(scene, index)) {
-    const std::vector<std::size_t> aboard = meshes_aboard(scene, *body);
-    gone.insert(gone.end(), aboard.begin(), aboard.end());
-    remove_wakes_of(scene, *body);
-    remove_element_of(scene, ObjectKind::body, *body);
-  }
+/// With its hull and what is aboard.
+void remove_body(Scene& scene, std::size_t body) {
+  std::vector<std::size_t> gone = meshes_aboard(scene, body);
+  if (const std::optional<std::size_t> hull = hull_of_body(scene, body)) gone.push_back(*hull);
+  remove_wakes_of(scene, body);
+  remove_element_of(scene, ObjectKind::body, body);
   std::ranges::sort(gone, std::greater());
   for (const std::size_t mesh : gone) remove_element_of(scene, ObjectKind::mesh, mesh);
 }
@@ -269,22 +265,64 @@ bool is_first_of_its_name(const Scene& scene, const SceneObject& object, const s
 
 }  // namespace
 
+std::string hull_name_of(const std::string& body) {
+  return body + " hull";
+}
+
 std::vector<SceneObject> objects_of(const Scene& scene) {
   std::vector<SceneObject> objects;
   std::vector<bool> is_listed(scene.bodies.size(), false);
+  const auto list_body = [&](std::size_t body) {
+    if (is_listed[body]) return;
+    is_listed[body] = true;
+    objects.push_back({ObjectKind::body, body});
+    const std::vector<SceneObject> parts = parts_of_body(scene, body);
+    objects.insert(objects.end(), parts.begin(), parts.end());
+  };
   for (const KindRow& row : kind_rows) {
     const std::size_t count = count_of(scene, row.kind);
     for (std::size_t i = 0; i < count; ++i) {
-      if (row.kind == ObjectKind::body && is_listed[i]) continue;
-      objects.push_back({row.kind, i});
-      if (row.kind != ObjectKind::mesh) continue;
-      if (const std::optional<std::size_t> body = body_of_mesh(scene, i)) {
-        objects.push_back({ObjectKind::body, *body});
-        is_listed[*body] = true;
-      }
+      const SceneObject object{row.kind, i};
+      const std::optional<std::size_t> body = body_of_part(scene, object);
+      // Where its first mesh is in the scene's order.
+      if (row.kind == ObjectKind::mesh && body) list_body(*body);
+      if (row.kind == ObjectKind::body) list_body(i);
+      if (row.kind != ObjectKind::body && !body) objects.push_back(object);
     }
   }
   return objects;
+}
+
+std::optional<std::size_t> body_of_part(const Scene& scene, const SceneObject& object) {
+  const auto named = [&](const std::string& name) -> std::optional<std::size_t> {
+    const auto body = std::ranges::find(scene.bodies, name, &scene::BodyScene::name);
+    if (name.empty() || body == scene.bodies.end()) return {};
+    return static_cast<std::size_t>(body - scene.bodies.begin());
+  };
+  if (object.kind == ObjectKind::mesh) {
+    const std::optional<std::size_t> body = body_of_mesh(scene, object.index);
+    return body ? body : named(scene.meshes[object.index].aboard);
+  }
+  if (object.kind != ObjectKind::wake) return {};
+  const scene::WakeScene& wake = scene.ocean.wakes[object.index];
+  if (wake.centre != scene::WakeCentre::body) return {};
+  if (wake.body.empty() && !scene.bodies.empty()) return 0;  // the first
+  return named(wake.body);
+}
+
+std::vector<SceneObject> parts_of_body(const Scene& scene, std::size_t body) {
+  std::vector<SceneObject> parts;
+  for (const ObjectKind kind : {ObjectKind::mesh, ObjectKind::wake}) {
+    for (std::size_t i = 0; i < count_of(scene, kind); ++i) {
+      const SceneObject part{kind, i};
+      if (body_of_part(scene, part) == body) parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+bool has_room_for_wake(const Scene& scene) {
+  return scene.ocean.wakes.size() < section_of_kind(ObjectKind::wake).max_count;
 }
 
 std::size_t count_of(const Scene& scene, ObjectKind kind) {
@@ -411,7 +449,11 @@ void remove_object(Scene& scene, const SceneObject& object) {
       forget_values(scene, "lake");
       break;
     case ObjectKind::mesh:
-      remove_mesh(scene, object.index);
+      if (const std::optional<std::size_t> body = body_of_mesh(scene, object.index)) {
+        remove_body(scene, *body);
+      } else {
+        remove_element_of(scene, ObjectKind::mesh, object.index);
+      }
       break;
     case ObjectKind::body:
       remove_body(scene, object.index);
@@ -420,6 +462,15 @@ void remove_object(Scene& scene, const SceneObject& object) {
       remove_element_of(scene, object.kind, object.index);
   }
   scene.ocean.is_given = scene.ocean.is_given || had_sea;
+}
+
+void stop_floating(Scene& scene, std::size_t index) {
+  const FloatingStart start = start_of(scene, index);
+  std::vector<std::size_t> meshes = meshes_aboard(scene, index);
+  meshes.push_back(scene::mesh_of_body(scene, index));
+  for (const std::size_t mesh : meshes) place_in_world(scene, mesh, start);
+  remove_wakes_of(scene, index);
+  remove_element_of(scene, ObjectKind::body, index);
 }
 
 SceneObject duplicate_object(Scene& scene, const SceneObject& object, const glm::dvec3& way_m) {
@@ -499,6 +550,11 @@ void rename_object(Scene& scene, const SceneObject& object, const std::string& n
   scene::store(scene, row, {.value = name, .shown = fmt::format("\"{}\"", one_line(name))},
                {.subject = std::string(row.key)}, ElementIndex{object.index, 0});
   for (std::string* reference : references) *reference = name;
+  if (object.kind != ObjectKind::body || before.empty()) return;
+  const std::optional<std::size_t> hull = hull_of_body(scene, object.index);
+  if (!hull || scene.meshes[*hull].name != hull_name_of(before)) return;
+  const SceneObject mesh{ObjectKind::mesh, *hull};
+  if (!has_another(scene, mesh, hull_name_of(name))) rename_object(scene, mesh, hull_name_of(name));
 }
 
 }  // namespace offing::present

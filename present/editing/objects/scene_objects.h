@@ -13,7 +13,20 @@
 namespace offing::present {
 
 /// What a user can select in a scene. The order is that of the list of objects.
-enum class ObjectKind { camera, bookmark, sky, sea, wake, terrain, lake, cloud_layer, cloud, mesh, body, light };
+enum class ObjectKind {
+  camera,
+  bookmark,
+  sky,
+  sea,
+  wake,
+  terrain,
+  lake,
+  cloud_layer,
+  cloud,
+  mesh,
+  body,
+  light
+};
 
 /// One of them: of a list such as [[mesh]] which one.
 struct SceneObject {
@@ -23,8 +36,13 @@ struct SceneObject {
   bool operator==(const SceneObject&) const = default;
 };
 
-/// All that a scene has; a body follows the mesh that it moves.
+/// All that a scene has; the parts of a body come after it.
 std::vector<SceneObject> objects_of(const scene::Scene& scene);
+/// The body that an object is a part of: its hull, a mesh aboard or a wake window that follows it. Nothing
+/// for all others.
+std::optional<std::size_t> body_of_part(const scene::Scene& scene, const SceneObject& object);
+/// All parts of a body.
+std::vector<SceneObject> parts_of_body(const scene::Scene& scene, std::size_t body);
 bool has_object(const scene::Scene& scene, const SceneObject& object);
 /// How many of a kind it has.
 std::size_t count_of(const scene::Scene& scene, ObjectKind kind);
@@ -44,19 +62,27 @@ std::optional<std::size_t> hull_of_body(const scene::Scene& scene, std::size_t b
 bool can_be_removed(const scene::Scene& scene, const SceneObject& object);
 bool can_be_duplicated(const SceneObject& object);
 
-/// Takes an object away with what cannot be without it: with a hull its body, all meshes aboard and the wake
-/// windows that follow it. A body that goes alone leaves its meshes where it floats upright at its start.
+/// Takes an object away with what cannot be without it: with a body or its hull all that belongs to them.
 /// Throws Error(bad_usage) for what cannot be removed.
 void remove_object(scene::Scene& scene, const SceneObject& object);
+/// Takes a body and its wakes away, but leaves its meshes where it floats upright at its start.
+void stop_floating(scene::Scene& scene, std::size_t body);
 
-/// The same again, `way_m` beside it, with its keyframes and a name of its own; a hull with its body and all
-/// that is aboard. Returns the copy. Throws Error(bad_input) where the scene takes no more, and for a body
-/// without a hull; Error(bad_usage) for what there is only one of.
+/// The same again, `way_m` beside it, with its keyframes and a name of its own; a body or its hull with
+/// all that belongs to them, but for wakes that the scene has no room for. Returns the copy. Throws
+/// Error(bad_input) where the scene takes no more, and for a body without a hull; Error(bad_usage) for what
+/// there is only one of.
 SceneObject duplicate_object(scene::Scene& scene, const SceneObject& object, const glm::dvec3& way_m);
 
-/// Gives it another name, and tells all that refer to it by its name. Throws Error(bad_input) for what no
-/// name can be, for one that another of its kind has, and for an empty one where others refer to it.
+/// Gives it another name, and tells all that refer to it by its name; the hull of a body that has a name of
+/// its own by that of the body, such as "boat hull", gets another one too. Throws Error(bad_input) for what
+/// no name can be, for one that another of its kind has, and for an empty one where others refer to it.
 void rename_object(scene::Scene& scene, const SceneObject& object, const std::string& name);
+
+/// Whether the scene takes one more wake window.
+bool has_room_for_wake(const scene::Scene& scene);
+/// The name of the hull of a new boat.
+std::string hull_name_of(const std::string& body);
 
 /// A name that no other element of a list has: "ship", "ship 2" ...
 template <class List>

@@ -71,18 +71,32 @@ std::string text_of(const scene::Scene& scene) {
 // Fails if something of the scene is not listed, or listed twice.
 TEST(SceneObjectsTest, AllAreListed) {
   EXPECT_EQ(labels_of(harbour_scene()),
-            (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "wake of ship", "buoy", "hull",
-                                      "ship", "mast", "lantern"}));
+            (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "buoy", "ship", "hull", "mast",
+                                      "wake of ship", "lantern"}));
+}
+
+// Fails if a part of a boat is not known as one, so that the list does not show it below the boat.
+TEST(SceneObjectsTest, PartsBelongToTheirBody) {
+  scene::Scene scene = harbour_scene();
+  EXPECT_EQ(parts_of_body(scene, 0),
+            (std::vector<SceneObject>{{ObjectKind::mesh, 1}, {ObjectKind::mesh, 2}, {ObjectKind::wake, 0}}));
+  EXPECT_FALSE(body_of_part(scene, {ObjectKind::mesh, 0}));
+  scene.ocean.wakes[0].body.clear();
+  EXPECT_EQ(body_of_part(scene, {ObjectKind::wake, 0}), 0u) << "it follows the first";
+  scene.ocean.wakes[0].centre = scene::WakeCentre::place;
+  EXPECT_FALSE(body_of_part(scene, {ObjectKind::wake, 0}));
 }
 
 // Fails if what cannot be without a hull stays, or anything else goes.
 TEST(SceneObjectsTest, AHullTakesItsBodyAlong) {
-  scene::Scene scene = harbour_scene();
-  remove_object(scene, {ObjectKind::mesh, 1});
-  EXPECT_EQ(labels_of(scene),
-            (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "buoy", "lantern"}));
-  EXPECT_EQ(scene.tracks.size(), 1u);
-  EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "rest.toml", ""));
+  for (const SceneObject object : {SceneObject{ObjectKind::mesh, 1}, {ObjectKind::body, 0}}) {
+    scene::Scene scene = harbour_scene();
+    remove_object(scene, object);
+    EXPECT_EQ(labels_of(scene),
+              (std::vector<std::string>{"camera", "quay", "sun and sky", "sea", "buoy", "lantern"}));
+    EXPECT_EQ(scene.tracks.size(), 1u);
+    EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "rest.toml", ""));
+  }
 }
 
 // A box of 2 m that floats 0.5 m deep, with its centre of mass beside its middle; it heads south, so that its
@@ -114,11 +128,12 @@ z_m = -5
 heading_deg = 90
 )";
 
-// A body that goes leaves its meshes where it floated at its start. Fails if they jump, though its place is
-// that of its centre of mass; if they move or turn otherwise from there; or the wake still follows it.
+// A body that stops floating leaves its meshes where it floated at its start. Fails if they jump, though its
+// place is that of its centre of mass; if they move or turn otherwise from there; or the wake still follows
+// it.
 TEST(SceneObjectsTest, ABodyLeavesItsMeshes) {
   scene::Scene scene = scene::parse_scene(raft, "raft.toml", "");
-  remove_object(scene, {ObjectKind::body, 0});
+  stop_floating(scene, 0);
   EXPECT_TRUE(scene.bodies.empty());
   EXPECT_TRUE(scene.ocean.wakes.empty());
   EXPECT_TRUE(scene.meshes[1].aboard.empty());
@@ -158,12 +173,29 @@ TEST(SceneObjectsTest, CopiesAreOnTheirOwn) {
   EXPECT_EQ(scene.bodies[1].z_m, 3.0);
   EXPECT_EQ(scene.meshes.back().name, "mast 2");
   EXPECT_EQ(scene.meshes.back().aboard, "ship 2");
+  ASSERT_EQ(scene.ocean.wakes.size(), 2u);
+  EXPECT_EQ(scene.ocean.wakes[1].body, "ship 2");
   EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "copies.toml", ""));
 
   const SceneObject light = duplicate_object(scene, {ObjectKind::light, 0}, {1.0, 0.0, 0.0});
   EXPECT_EQ(label_of(scene, light), "lantern 2");
   EXPECT_EQ(scene.lights[1].place_m.x, scene.lights[0].place_m.x + 1.0);
   EXPECT_THROW(duplicate_object(scene, {ObjectKind::sea, 0}, {}), Error);
+}
+
+// Fails if a copy is refused where there is no room for its wake, or a scene gets more wakes than it takes.
+TEST(SceneObjectsTest, CopiesBeyondTheLastWakeHaveNone) {
+  scene::Scene scene = harbour_scene();
+  std::size_t wakes = 1;
+  for (int i = 0; i < 5; ++i) {
+    wakes += has_room_for_wake(scene) ? 1 : 0;
+    const SceneObject copy = duplicate_object(scene, {ObjectKind::body, 0}, {10.0 * i, 0.0, 0.0});
+    EXPECT_EQ(copy.kind, ObjectKind::body);
+    EXPECT_EQ(scene.ocean.wakes.size(), wakes);
+  }
+  EXPECT_EQ(wakes, 4u) << "as docs/scenes.md has it";
+  EXPECT_EQ(scene.bodies.size(), 6u);
+  EXPECT_NO_THROW(scene::parse_scene(text_of(scene), "fleet.toml", ""));
 }
 
 // Fails if something still refers to the name before.
@@ -208,7 +240,7 @@ TEST(SceneObjectsTest, ABodyWithoutAHullIsNotCopied) {
 TEST(SceneObjectsTest, TheSeaComesAndGoesAlone) {
   scene::Scene scene = harbour_scene();
   EXPECT_THROW(remove_object(scene, {ObjectKind::sea, 0}), Error) << "it carries the ship";
-  remove_object(scene, {ObjectKind::body, 0});
+  stop_floating(scene, 0);
   remove_object(scene, {ObjectKind::sea, 0});
   EXPECT_FALSE(scene.has_sea());
   EXPECT_FALSE(has_object(scene, {ObjectKind::sea, 0}));
@@ -261,9 +293,32 @@ TEST(NewObjectsTest, BoatsHaveHullBodyAndWake) {
   EXPECT_EQ(read.ocean.wakes[1].body, "boat 2");
   EXPECT_GT(read.bodies[0].speed_mps, 1.0);
   EXPECT_GT(read.bodies[0].thrust_n, 0.0);
+  scene::Scene renamed = read;
+  rename_object(renamed, {ObjectKind::body, 1}, "Anna");
+  EXPECT_EQ(renamed.meshes[1].name, "Anna hull");
+  EXPECT_EQ(renamed.bodies[1].mesh, "Anna hull");
+  scene::Scene fleet;
+  std::string news;
+  for (int i = 0; i < 5; ++i) news = add_object(fleet, {.kind = NewObject::Kind::boat}, place).news;
+  EXPECT_EQ(fleet.bodies.size(), 5u);
+  EXPECT_EQ(fleet.ocean.wakes.size(), 4u);
+  EXPECT_NE(news.find("without a wake"), std::string::npos) << news;
   place.water_m.reset();
   EXPECT_THROW(add_object(scene, {.kind = NewObject::Kind::boat}, place), Error);
   EXPECT_EQ(text_of(scene), text);
+}
+
+// Fails if a boat seen from high above is a ship, or one from near a toy.
+TEST(NewObjectsTest, BoatsAreOfUsualSizes) {
+  for (const double distance_m : {1.0, 20.0, 5000.0}) {
+    NewPlace place{.camera = {}, .place_m = glm::dvec3(0.0), .water_m = glm::dvec3(0.0, 0.0, -distance_m)};
+    place.camera.eye_m = glm::dvec3(0.0);
+    scene::Scene scene;
+    EXPECT_EQ(add_object(scene, {.kind = NewObject::Kind::boat}, place).object,
+              (SceneObject{ObjectKind::body, 0}));
+    EXPECT_GE(scene.meshes.at(0).size_m, 4.0);
+    EXPECT_LE(scene.meshes[0].size_m, 30.0);
+  }
 }
 
 // Fails if a lake is not where the camera looks, is not listed with the terrain, or stays when that goes.

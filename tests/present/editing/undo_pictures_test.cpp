@@ -278,7 +278,7 @@ TEST_F(UndoPicturesTest, OfObjects) {
          [](scene::Scene& scene) { scene.meshes[0].material.visible = world::MeshVisibility::off; });
   // A sea that carries bodies cannot be deleted.
   editing_->make([](scene::Scene& scene) {
-    remove_object(scene, {ObjectKind::body, 0});
+    stop_floating(scene, 0);
     return std::string();
   });
   untouched_ = picture();

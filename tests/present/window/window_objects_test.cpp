@@ -117,6 +117,7 @@ class WindowObjectsTest : public WindowTest {
   std::optional<SceneObject> selected() const { return present::selected_object(state()); }
 
   Spot row(SceneObject object) { return find_in_row(object, "##object"); }
+  Spot arrow(SceneObject object) { return find_in_row(object, "##open"); }
   Spot eye(SceneObject object) { return find_in_row(object, "##visible"); }
   static ImGuiWindow* list() {
     const unsigned list_id = main_panel()->GetID("objects");
@@ -133,7 +134,9 @@ class WindowObjectsTest : public WindowTest {
     const unsigned of_row = ImHashData(&index, sizeof index, of_kind);
     const int end_px = static_cast<int>(list->ContentRegionRect.Max.x - list->Pos.x);
     return find_item(list, present::label_of(state().scene, object), ImHashStr(item.c_str(), 0, of_row),
-                     item == "##object" ? 60 : end_px - 8);
+                     item == "##object" ? 60
+                     : item == "##open" ? 16
+                                        : end_px - 8);
   }
   void choose_new(const char* label) {
     click(find(main_panel(), "add##objects", 20));
@@ -495,6 +498,7 @@ TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
     return largest;
   };
   const std::vector<double> behind_m = heights_m(-0.7, -0.1), before_m = heights_m(1.2, 0.1);
+  click(arrow({ObjectKind::body, 0}));
   click(row({ObjectKind::wake, 0}));
   press("Delete");
   ASSERT_TRUE(state().scene.ocean.wakes.empty()) << message();
@@ -502,6 +506,64 @@ TEST_F(WindowObjectsTest, ABoatSailsInThreeSteps) {
   const double wake_m = largest_difference(behind_m, heights_m(-0.7, -0.1));
   EXPECT_GT(wake_m, 0.005 * length_m) << "waves behind it";
   EXPECT_LT(largest_difference(before_m, heights_m(1.2, 0.1)), 0.1 * wake_m) << "and none before it";
+}
+
+// Fails if a boat is more than one row, if its engine, wake and hull are not among the values of that row, if
+// the eye of the row does not hide the hull, or if a copy of the row has no wake.
+TEST_F(WindowObjectsTest, ABoatIsOneRow) {
+  open(options_of(boat_text));
+  settle();
+  const auto rows = [] {
+    const ImGuiWindow* window = list();
+    return std::lround((window->ContentSize.y + ImGui::GetStyle().ItemSpacing.y) /
+                       ImGui::GetTextLineHeightWithSpacing());
+  };
+  const auto before = rows();
+  choose_new("boat");
+  settle();
+  const SceneObject boat{ObjectKind::body, 0};
+  EXPECT_EQ(selected(), boat) << message();
+  EXPECT_EQ(rows(), before + 1);
+  const auto find_value = [&](const char* key, unsigned block) {
+    const std::string label = present::parameter_label(*scene::find_parameter(key));
+    find_item(values(), label, ImHashStr(label.c_str(), 0, block), 70);
+  };
+  find_value("body.thrust_n", values()->GetID("properties"));
+  const auto block_of = [](ObjectKind kind) {
+    const int number = static_cast<int>(kind), first = 0;
+    return ImHashData(&first, sizeof first, ImHashData(&number, sizeof number, values()->ID));
+  };
+  const auto open_part = [&](ObjectKind kind) {
+    click(find_item(values(), "part", ImHashStr("###values", 0, block_of(kind)), 60));
+  };
+  open_part(ObjectKind::wake);
+  find_value("ocean.wake.length_m", block_of(ObjectKind::wake));
+  open_part(ObjectKind::wake);
+  open_part(ObjectKind::mesh);
+  find_value("mesh.shape", block_of(ObjectKind::mesh));
+  open_part(ObjectKind::mesh);
+  click(eye(boat));
+  EXPECT_EQ(state().scene.meshes[0].material.visible, world::MeshVisibility::off);
+  undo();
+  click(arrow(boat));
+  settle();
+  EXPECT_EQ(rows(), before + 3) << "hull and wake";
+  click(row({ObjectKind::mesh, 0}));
+  EXPECT_EQ(selected(), (SceneObject{ObjectKind::mesh, 0}));
+  click(row(boat));
+  press_with_control("d");
+  ASSERT_EQ(state().scene.bodies.size(), 2u) << message();
+  EXPECT_EQ(state().scene.ocean.wakes.size(), 2u);
+  press("Delete");
+  EXPECT_EQ(state().scene.bodies.size(), 1u) << message();
+  EXPECT_EQ(state().scene.meshes.size(), 1u);
+  click(row(boat));
+  const unsigned block = values()->GetID("properties");
+  click(find_item(values(), "stop floating", ImHashStr("stop floating", 0, block), 40));
+  EXPECT_TRUE(state().scene.bodies.empty()) << message();
+  EXPECT_EQ(state().scene.meshes.size(), 1u);
+  undo();
+  EXPECT_EQ(state().scene.bodies.size(), 1u);
 }
 
 // Fails if a preset of the list does not set the body that is selected with its hull, in one step of undo.
