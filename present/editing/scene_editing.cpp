@@ -2,15 +2,32 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "present/editing/cloud_overlay.h"
 #include "present/editing/objects/selection.h"
 #include "present/output/camera_path.h"
 
 namespace offing::present {
+
+namespace {
+
+/// Bodies that start where the ground is above the still sea.
+std::vector<std::string> bodies_on_land(LiveSea& sea, const scene::Scene& scene) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; sea.terrain() != nullptr && i < scene.bodies.size(); ++i) {
+    const std::optional<double> ground_m = sea.terrain()->surface_m(scene.bodies[i].x_m, scene.bodies[i].z_m);
+    if (ground_m && *ground_m > scene.sea_level_m()) names.push_back(label_of(scene, {ObjectKind::body, i}));
+  }
+  return names;
+}
+
+}  // namespace
 
 void SceneEditing::begin_anew(SceneHistory history) {
   highlights_ = {};
@@ -68,9 +85,14 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change)
   work([&] {
     scene::Scene edited = state_.scene;
     std::string news = change(edited);
+    const std::size_t before = bodies_on_land(sea_, state_.scene).size();
     state_.scene = std::move(edited);
     finish(Edit::done);
     if (state_.message.is_fault) return Edit::none;
+    const std::vector<std::string> on_land = bodies_on_land(sea_, state_.scene);
+    if (on_land.size() > before)
+      news +=
+          fmt::format("\n{} on land now: move it to water, or move the terrain", fmt::join(on_land, ", "));
     if (!state_.message.text.empty()) news += '\n' + state_.message.text;
     state_.message = {.text = std::move(news)};
     return Edit::none;

@@ -1,6 +1,8 @@
 // Undo and redo of every kind of edit, by the pictures that they show.
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -155,7 +157,7 @@ class UndoPicturesTest : public test::GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (IsSkipped()) return;
-    state_.scene = scene::parse_scene(scene_text, "a.toml", "");
+    state_.scene = first_scene();
     sea_ = std::make_unique<LiveSea>(
         *context_, LiveSeaSettings{.device = "", .frame = frame_settings(Detail::low)}, state_.scene);
     state_.camera = FreeCamera(state_.scene.view.camera);
@@ -168,6 +170,7 @@ class UndoPicturesTest : public test::GlTest {
     GlTest::TearDown();
   }
 
+  virtual scene::Scene first_scene() { return scene::parse_scene(scene_text, "a.toml", ""); }
   Screen screen() const { return {state_.camera.camera(), {96.0, 64.0}}; }
 
   /// Once all clouds are made.
@@ -229,7 +232,7 @@ class UndoPicturesTest : public test::GlTest {
 // Fails if undo or redo of a value shows another picture or leaves another scene, or a group has no value
 // here.
 TEST_F(UndoPicturesTest, OfValues) {
-  // The camera, which undo leaves to the user, and lakes, which need a basin (scene_objects_test.cpp).
+  // The camera, which undo leaves to the user, and lakes, which need a basin: see below.
   std::set<scene::ParameterGroup> groups{scene::ParameterGroup::camera, scene::ParameterGroup::lake};
   for (const ValueEdit& edit : value_edits) {
     ASSERT_NE(scene::find_parameter(edit.key), nullptr) << edit.key;
@@ -286,6 +289,75 @@ TEST_F(UndoPicturesTest, OfObjects) {
     select_object(state_, {ObjectKind::sea, 0});
     editing_->remove_picked();
   });
+}
+
+// Fails if a boat that new terrain covers is not named.
+TEST_F(UndoPicturesTest, BoatsOnLandAreReported) {
+  const TemporaryFolder folder;
+  const auto open_plain = [&](int height_m) {
+    const std::filesystem::path map = folder.path() / ("plain_" + std::to_string(height_m) + ".asc");
+    std::ofstream file(map);
+    file << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 900\n";
+    for (int post = 0; post < 4; ++post) file << height_m << ' ';
+    file.close();
+    editing_->make([&](scene::Scene& scene) {
+      std::string news = add_dropped(scene, map, DroppedKind::height_map, {});
+      scene.terrain.origin_x_m = scene.terrain.origin_z_m = -450.0;
+      return news;
+    });
+    EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+  };
+  open_plain(-30);
+  EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << state_.message.text;
+  editing_->undo();
+  open_plain(40);
+  EXPECT_NE(state_.message.text.find("boat on land now"), std::string::npos) << state_.message.text;
+}
+
+/// A bowl of 240 m with a rim 20 m above its floor, and a camera that looks into it.
+class UndoLakePicturesTest : public UndoPicturesTest {
+ protected:
+  scene::Scene first_scene() override {
+    constexpr int posts = 11, middle = 5, rim = 4;
+    std::ofstream map(folder_.path() / "bowl.asc");
+    map << "ncols 11\nnrows 11\nxllcenter 0\nyllcenter 0\ncellsize 30\n";
+    for (int row = 0; row < posts; ++row) {
+      for (int column = 0; column < posts; ++column) {
+        const int ring = std::max(std::abs(row - middle), std::abs(column - middle));
+        map << (ring > rim ? 30.0 : 20.0 + 20.0 * ring * ring / (rim * rim)) << ' ';
+      }
+      map << '\n';
+    }
+    map.close();
+    return scene::parse_scene(
+        "version = 1\n[camera]\ny_m = 130\nz_m = 130\npitch_deg = -40\n[terrain]\nfile = "
+        "\"bowl.asc\"\norigin_x_m = -150\norigin_z_m = -150\n",
+        "a.toml", folder_.path());
+  }
+  void put_lake() { editing_->do_to_object({.added = {.kind = NewObject::Kind::lake}}, screen()); }
+
+  const TemporaryFolder folder_;
+};
+
+// Fails as above for lakes.
+TEST_F(UndoLakePicturesTest, OfLakes) {
+  expect_undone_and_redone("add a lake", true, [&] { put_lake(); });
+  put_lake();
+  ASSERT_FALSE(state_.message.is_fault) << state_.message.text;
+  untouched_ = picture();
+  change("level", true, [](scene::Scene& scene) { scene.lakes.at(0).level_m = 26.0; });
+  change("place", false, [](scene::Scene& scene) { scene.lakes.at(0).x_m += 5.0; });
+  const SceneObject lake{ObjectKind::lake, 0};
+  expect_undone_and_redone("rename a lake", false, [&] {
+    editing_->do_to_object({.kind = ObjectEdit::Kind::rename, .object = lake, .name = "tarn"}, screen());
+  });
+  for (const SceneObject& object : {lake, SceneObject{ObjectKind::terrain, 0}}) {
+    if (!can_be_removed(state_.scene, object)) continue;
+    expect_undone_and_redone("delete " + label_of(state_.scene, object), true, [&] {
+      select_object(state_, object);
+      editing_->remove_picked();
+    });
+  }
 }
 
 // Fails as above for presets, handles, keyframes, bookmarks and files.

@@ -39,7 +39,7 @@ using Clock = std::chrono::steady_clock;
 /// scene that names its key, else in the one that names its section.
 struct BaseScene {
   std::string_view names;  // separated by spaces
-  std::string_view text;   // MEASURED, MAP, GRID, STORE, WAMIT and SEQUENCE stand for files
+  std::string_view text;   // MEASURED, MAP, GRID, BOWL, STORE, WAMIT and SEQUENCE stand for files
 };
 
 constexpr BaseScene bases[] = {
@@ -83,6 +83,7 @@ constexpr BaseScene bases[] = {
      "[terrain]\nfile = \"MAP\"\nraw_columns = 17\nraw_rows = 17\nraw_type = \"u16\"\nspacing_x_m = "
      "30\nspacing_z_m = 30\nnodata = 0\n"},
     {"terrain.band", "[terrain]\nfile = \"GRID\"\nspacing_x_m = 30\nspacing_z_m = 30\n"},
+    {"lake", "[terrain]\nfile = \"BOWL\"\norigin_x_m = -60\norigin_z_m = -60\n[[lake]]\n"},
     {"terrain.cache_mb", "[terrain]\nfile = \"STORE\"\n"},
     {"light", "[[light]]\n[[mesh]]\nshape = \"knot\"\n[[mesh.highlight]]\n"},
     {"light.x_m light.y_m light.z_m",
@@ -148,6 +149,12 @@ constexpr Contradiction contradictions[] = {
     {"terrain.raw_rows", 0, "a file without a header, expected its size in posts"},
     {"terrain.raw_columns", 1e6, "1000000x17 posts of UInt16 take 34000000 bytes, found 578"},
     {"terrain.raw_rows", 1e6, "17x1000000 posts of UInt16 take 34000000 bytes, found 578"},
+    {"lake.x_m", -1e7, "expected a place on the map"},
+    {"lake.x_m", 1e7, "expected a place on the map"},
+    {"lake.z_m", -1e7, "expected a place on the map"},
+    {"lake.z_m", 1e7, "expected a place on the map"},
+    {"lake.level_m", -2e4, "expected a level above the ground"},
+    {"lake.level_m", 2e4, "expected a level up to its spill level"},
     {"body.draught_m", 1e4, "expected a water level between -1 and 1 m of its mesh, found 9999 m"},
     {"body.mass_kg", 1e12, "expected a mass that displaces less than the hull's 8 m3"},
     {"ocean.swell_bandwidth_hz", 0.1, "expected a number within [8.33333e-05, 0.0416667]"},
@@ -249,6 +256,9 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     for (int i = 0; i < 17 * 17; ++i) map.put(static_cast<char>(7 * i % 100)).put(0);
     map.close();
     std::ofstream(file("map.asc")) << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2\n3 4\n";
+    std::ofstream(file("bowl.asc"))
+        << "ncols 5\nnrows 5\nxllcorner 0\nyllcorner 0\ncellsize 30\n30 30 30 30 30\n30 40 40 40 30\n"
+           "30 40 20 40 30\n30 40 40 40 30\n30 30 30 30 30\n";
     for (const char* top_m : {"2", "3"}) {
       std::ofstream(file(fmt::format("mesh_{}.obj", top_m)))
           << "v 0 0 0\nv 2 0 0\nv 0 " << top_m << " 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -266,7 +276,8 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     for (const auto& [name, path] :
          {std::pair("MEASURED", std::string(OFFING_SCENES "/example_sea.data_spec")),
           std::pair("MAP", file("map.r16")), std::pair("GRID", file("map.asc")),
-          std::pair("STORE", file("store")), std::pair("SEQUENCE", file("mesh_%d.obj")),
+          std::pair("BOWL", file("bowl.asc")), std::pair("STORE", file("store")),
+          std::pair("SEQUENCE", file("mesh_%d.obj")),
           std::pair("WAMIT", std::string(OFFING_HYDRODYNAMICS "/box.1"))}) {
       if (const std::size_t at = text.find(name); at != std::string::npos)
         text.replace(at, std::string(name).size(), path);
