@@ -1,6 +1,7 @@
 // What a camera's rays hit first: Park, Oh & Cho 2007, section 3 (T3, T9 of docs/sources.md).
 // In:  heights [rows][columns] m, maxima of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h).
+//      With RELIEF (not with endless maps), relief, relief_m and relief_maxima_m of terrain/relief.clh.
 // Out: records [height_px][width_px], row 0 at the top: distances in metres along the unit ray, +inf for misses; with
 //      WRITES_HITS, TerrainHit.
 #include "terrain/endless.clh"
@@ -18,12 +19,23 @@
 #define CAST_COLUMNS BLOCK_COLUMNS
 #define CAST_ROWS BLOCK_ROWS
 #endif
+#ifdef RELIEF
+#include "terrain/relief.clh"
+#endif
 #define CAST_BLOCKS (CAST_COLUMNS * CAST_ROWS / LANES)
 #define BLOCKS_A_ROW (CAST_COLUMNS / BLOCK_COLUMNS)
 
 __kernel void quadtree_cast(__global const float *restrict heights_m, __global const float *restrict maxima_m,
-                            TerrainField field, TerrainView view, __global HitRecord *restrict records) {
+                            TerrainField field, TerrainView view, __global HitRecord *restrict records
+#ifdef RELIEF
+                            , const TerrainRelief relief_params, __global const float *restrict relief_m,
+                            __global const float *restrict relief_maxima_m
+#endif
+) {
   const Terrain terrain = {heights_m, maxima_m, field};
+#ifdef RELIEF
+  const Relief relief = {relief_m, relief_maxima_m, relief_params};
+#endif
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
     first_level = level_at_origin(terrain, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
@@ -46,6 +58,14 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
         ray_setups[i] = ray_setup_of(field, rays_of(field, view, x + (int_lanes)lane_column, y + (int_lanes)lane_row));
         hits[i] = no_hits();
       }
+#ifdef RELIEF
+      Hits near[CAST_BLOCKS];
+#ifdef PACKET_RAYS
+      relief_hits_of_packet(terrain, relief, view, ray_setups, near);
+#else
+      for (int i = 0; i < CAST_BLOCKS; ++i) near[i] = relief_hits(terrain, relief, &ray_setups[i]);
+#endif
+#endif
       bool is_cast = false;
 #ifdef PACKET_RAYS
       const Frustum frustum = frustum_of(ray_setups);
@@ -56,6 +76,9 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
 #endif
       for (int i = 0; i < CAST_BLOCKS; ++i) {
         if (!is_cast) hits[i] = first_hits(terrain, first_level, &ray_setups[i]);
+#ifdef RELIEF
+        hits[i] = hits_of_both(near[i], hits[i]);
+#endif
         HitRecord block[LANES];
         record_hits(terrain, ray_setups[i].ray, hits[i], block);
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;

@@ -1,10 +1,10 @@
 // The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/terrain_light.clh.
 // In:  heights, maxima, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
-//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many; with LAKES lakes as terrain/terrain_shade.cl has them.
+//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many; with LAKES lakes and with RELIEF relief as terrain/terrain_shade.cl has them.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
 #include "terrain/endless.clh"
 #include "terrain/terrain_light.clh"
-#include "terrain/hit_places.clh"
+#include "terrain/hit_record.clh"
 #include "terrain/image_rays.clh"
 #ifdef LAKES
 #include "terrain/lakes/lake_light.clh"
@@ -37,7 +37,12 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse(i) + 0.5f / (float)samples);
     RaySetup ray_setup = ray_setup_of(field, rays);
+#ifdef RELIEF
+    const Hits near = relief_hits(scenery->terrain, scenery->relief, &ray_setup);
+    const Hits hits = hits_of_both(near, first_hits(scenery->terrain, first_level, &ray_setup));
+#else
     const Hits hits = first_hits(scenery->terrain, first_level, &ray_setup);
+#endif
     const HitPlaces places = places_of_hits(scenery->terrain, ray_setup.ray, hits);
     const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
@@ -82,8 +87,16 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
                              __global const LakeWave *restrict lake_waves, int lake_count,
 #endif
+#ifdef RELIEF
+                             const TerrainRelief relief_params, __global const float *restrict relief_m,
+                             __global const float *restrict relief_maxima_m,
+#endif
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+#ifdef RELIEF
+                           , {relief_m, relief_maxima_m, relief_params}
+#endif
+  };
 #ifdef LAKES
   const Lakes all_lakes = {lakes, lake_cells, lake_count};
 #endif

@@ -3,7 +3,8 @@
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
-//      terrain/open_sky.cl: of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves.
+//      terrain/open_sky.cl: of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
+//      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
@@ -49,8 +50,16 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
                             __global const LakeWave *restrict lake_waves, int lake_count,
 #endif
+#ifdef RELIEF
+                            const TerrainRelief relief_params, __global const float *restrict relief_m,
+                            __global const float *restrict relief_maxima_m,
+#endif
                             __global float4 *restrict image, __global float4 *restrict edges) {
-  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+#ifdef RELIEF
+                           , {relief_m, relief_maxima_m, relief_params}
+#endif
+  };
 #ifdef LAKES
   const Lakes all_lakes = {lakes, lake_cells, lake_count};
 #endif

@@ -1,7 +1,7 @@
 // ground_dump FILE: rays and pictures of a small map through every kernel of the terrain, on the device that
 // the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the pictures'
 // light: plain, and with a colour map over half of the ground, shares of the sky and automatic sampling;
-// then a viewshed, and rays and pictures of a map in tiles.
+// then a viewshed, ground with relief, and rays and pictures of a map in tiles.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -48,13 +48,19 @@ ColourMap coloured_squares() {
 }
 
 template <class Field>
-void dump_image(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump) {
+void dump_image(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump,
+                const terrain::ReliefSurface* relief = nullptr) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
-  field.cast(camera, hits);
-  field.cast(camera, distances_m);
-  for (const float distance_m : distances_m.read()) dump.add_distance(static_cast<double>(distance_m));
+  if (relief == nullptr) {
+    field.cast(camera, hits);
+    field.cast(camera, distances_m);
+    for (const float distance_m : distances_m.read()) dump.add_distance(static_cast<double>(distance_m));
+  } else {
+    field.cast(camera, *relief, hits);
+    for (const TerrainHit& hit : hits.read()) dump.add_distance(static_cast<double>(hit.distance_m));
+  }
   TerrainLight light{};
   light.sun_red_klx = light.sun_green_klx = light.sun_blue_klx = 90.0f;
   light.sky_red_klx = light.sky_green_klx = light.sky_blue_klx = 12.0f;
@@ -77,14 +83,28 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
   terrain::TerrainShade shade(device);
   const terrain::ColourLayer colours(device, coloured_squares());
   std::optional<terrain::OpenSky> open_sky;
-  terrain::TerrainAppearance rich{.sampling = {}, .colours = &colours};
+  terrain::TerrainAppearance rich{.sampling = {}, .colours = &colours, .relief = relief};
   if constexpr (std::is_same_v<Field, terrain::HeightField>) rich.open_sky = &open_sky.emplace(device, field);
-  for (const terrain::TerrainAppearance& look : {terrain::TerrainAppearance{.sampling = {.rays = 1}}, rich}) {
+  for (const terrain::TerrainAppearance& look :
+       {terrain::TerrainAppearance{.sampling = {.rays = 1}, .relief = relief}, rich}) {
     shade.at(field, camera, hits, {light, sky, view_table}, image, look);
     for (const Texel& texel : image.read()) {
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
     }
   }
+}
+
+/// Distances and light of ground with relief, on a map so fine that it has one level of few posts.
+void dump_relief(const ocl::Device& device, Dump& dump) {
+  const test::HeightMap map =
+      test::valleys({.columns = 60, .rows = 52, .spacing_x_m = 0.3, .spacing_z_m = 0.3});
+  terrain::HeightField field(device, map.grid, map.heights_m);
+  const Camera camera{
+      .eye_m = {9.0, field.highest_m() + 1.0, 12.0}, .pitch_rad = -0.6, .width_px = 18, .height_px = 7};
+  terrain::ReliefSurface relief(device);
+  relief.at(field, camera, 2.0, {.strength = 2.0, .tree_line_m = -100.0, .snow_line_m = 1000.0});
+  if (!relief.is_laid()) throw Error(ErrorKind::bad_usage, "the dump has no relief", "take a coarser map");
+  dump_image(device, field, camera, dump, &relief);
 }
 
 void dump_viewshed(const ocl::Device& device, const terrain::HeightField& field, Dump& dump) {
@@ -136,6 +156,7 @@ void write_dump(const char* path) {
   dump_image(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
              dump);
   dump_viewshed(device, field, dump);
+  dump_relief(device, dump);
   dump_tiles(device, dump);
   dump.finish();
 }

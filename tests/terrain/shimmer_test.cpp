@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "host/io/height_maps/read_height_map.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/generate/fractal_terrain.h"
+#include "host/terrain/walk/relief_height.h"
 #include "tests/terrain/terrain_painter.h"
 
 namespace offing {
@@ -39,8 +41,18 @@ Camera small_camera() {
   return {.vertical_field_of_view_rad = 12.0 / 180.0 * std::numbers::pi, .width_px = 256, .height_px = 144};
 }
 
-/// On foot from the highest post toward the middle of the map, 5 cm a frame.
-std::vector<Camera> walk_over(const HeightMap& map) {
+/// Where relief reaches, between the map's highest and lowest post.
+terrain::ReliefSettings relief_over(const HeightMap& map) {
+  const auto [lowest, highest] = std::minmax_element(map.heights_m.begin(), map.heights_m.end());
+  const auto between = [&](double share) {
+    return (1.0 - share) * static_cast<double>(*lowest) + share * static_cast<double>(*highest);
+  };
+  return {.shore_m = between(0.1), .tree_line_m = between(0.4), .snow_line_m = between(1.5)};
+}
+
+/// On foot from the highest post toward the middle of the map, 5 cm a frame, on the ground with relief or
+/// without.
+std::vector<Camera> walk_over(const HeightMap& map, bool has_relief) {
   const auto highest = std::max_element(map.heights_m.begin(), map.heights_m.end()) - map.heights_m.begin();
   const double x_m = map.spacing_x_m * static_cast<double>(highest % map.columns),
                z_m = map.spacing_z_m * static_cast<double>(highest / map.columns);
@@ -53,6 +65,10 @@ std::vector<Camera> walk_over(const HeightMap& map) {
     camera.pitch_rad = -4.0 / 180.0 * std::numbers::pi;
     const double east_m = x_m + 0.05 * frame * way.x, south_m = z_m + 0.05 * frame * way.y;
     camera.eye_m = {east_m, terrain::terrain_at(map, east_m, south_m)->height_m + 1.7, south_m};
+    if (has_relief) {
+      camera.eye_m.y +=
+          terrain::relief_height_m(terrain::posts_of(map), relief_over(map), east_m, south_m, camera.eye_m);
+    }
     cameras.push_back(camera);
   }
   return cameras;
@@ -112,7 +128,10 @@ void expect_stillness(const std::string& name, const HeightMap& map) {
                                  .spacing_z_m = map.spacing_z_m},
                                 map.heights_m};
   test::TerrainPainter painter(painted, test::PaintedTerrain::covered(painted));
-  for (const auto& [way, cameras] : {std::pair("walk", walk_over(map)), std::pair("fly", flight_over(map))}) {
+  for (const auto& [way, cameras] :
+       {std::pair("walk", walk_over(map, false)), std::pair("fly", flight_over(map)),
+        std::pair("walk with relief", walk_over(map, true))}) {
+    if (way == std::string_view("walk with relief")) painter.show_relief(relief_over(map));
     const Images reference = draw(painter, cameras, many_rays);
     const Stability of_many = stability_of(reference, reference),
                     of_one = stability_of(draw(painter, cameras, one_ray), reference),

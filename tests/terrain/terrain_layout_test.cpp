@@ -6,6 +6,7 @@
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_light_params.h"
 #include "kernels/shared/terrain_look.h"
+#include "kernels/shared/terrain_relief.h"
 #include "kernels/shared/terrain_sight.h"
 #include "tests/ocl/shared_layout.h"
 
@@ -75,6 +76,20 @@ TEST(TerrainLayoutTest, SunBlock) {
   using S = SunBlock;
   EXPECT_EQ(layout_of("shared/sun_blocks.h", "SunBlock", {"middle_column", "middle_row", "middle_m"}),
             (Layout{sizeof(S), offsetof(S, middle_column), offsetof(S, middle_row), offsetof(S, middle_m)}));
+}
+
+TEST(TerrainLayoutTest, TerrainRelief) {
+  using S = TerrainRelief;
+  EXPECT_EQ(
+      layout_of("shared/terrain_relief.h", "TerrainRelief", {"levels", "middle_z", "eye_cell_x", "discs"}),
+      (Layout{sizeof(S), offsetof(S, levels), offsetof(S, middle_z), offsetof(S, eye_cell_x),
+              offsetof(S, discs)}));
+}
+
+TEST(TerrainLayoutTest, TerrainReliefDisc) {
+  using S = TerrainReliefDisc;
+  EXPECT_EQ(layout_of("shared/terrain_relief.h", "TerrainReliefDisc", {"south_m", "radius_m", "share"}),
+            (Layout{sizeof(S), offsetof(S, south_m), offsetof(S, radius_m), offsetof(S, share)}));
 }
 
 TEST(TerrainLayoutTest, TerrainLook) {

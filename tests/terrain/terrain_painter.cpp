@@ -53,15 +53,20 @@ TerrainPainter::TerrainPainter(const HeightMap& map, const PaintedTerrain& scene
     : device_(ocl::Device::open()),
       field_(device_, map.grid, map.heights_m),
       shade_(device_),
+      relief_(device_),
       light_(scene.light),
       sky_(sky_of(scene)),
       view_table_(device_, sky_table(scene.haze_kcdpm2), "sky") {}
 
-std::vector<Texel> TerrainPainter::draw(const Camera& camera, const terrain::TerrainAppearance& look) {
+std::vector<Texel> TerrainPainter::draw(const Camera& camera, terrain::TerrainAppearance look) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device_, pixels, "hits");
   ocl::Buffer<Texel> image(device_, pixels, "image");
-  field_.cast(camera, hits);
+  const std::vector<terrain::Ray> down{{.origin_m = camera.eye_m}};
+  if (relief_settings_.strength > 0.0)
+    relief_.at(field_, camera, field_.cast(down).front().distance_m, relief_settings_);
+  look.relief = &relief_;
+  field_.cast(camera, relief_, hits);
   shade_.at(field_, camera, hits, {light_, sky_, view_table_}, image, look);
   return image.read();
 }

@@ -26,8 +26,10 @@ class TerrainPainter {
  public:
   TerrainPainter(const HeightMap& map, const PaintedTerrain& scene);
 
+  /// From now on, pictures show relief.
+  void show_relief(const terrain::ReliefSettings& settings) { relief_settings_ = settings; }
   /// [height_px][width_px] (r, g, b, coverage).
-  std::vector<terrain::Texel> draw(const Camera& camera, const terrain::TerrainAppearance& look);
+  std::vector<terrain::Texel> draw(const Camera& camera, terrain::TerrainAppearance look);
   const ocl::Device& device() const { return device_; }
   const terrain::HeightField& field() const { return field_; }
   double refined_share() const { return shade_.refined_share(); }
@@ -36,6 +38,8 @@ class TerrainPainter {
   ocl::Device device_;
   terrain::HeightField field_;
   terrain::TerrainShade shade_;
+  terrain::ReliefSurface relief_;
+  terrain::ReliefSettings relief_settings_{.strength = 0.0};
   TerrainLight light_;
   SkyParams sky_;
   ocl::Buffer<terrain::Texel> view_table_;

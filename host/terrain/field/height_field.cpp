@@ -103,6 +103,7 @@ struct HeightField::State {
   std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels;
   std::array<std::array<std::optional<ocl::Kernel>, up_rules>, 2> image_kernels, ray_kernels;
   std::array<std::optional<ocl::Kernel>, 2> curved_kernels;  ///< by normals
+  std::optional<ocl::Kernel> relief_kernel;
   HostRays host_rays;
 
   State(const ocl::Device& on, const PostGrid& posts, std::span<const float> heights)
@@ -139,14 +140,16 @@ struct HeightField::State {
     return normals == HitNormals::smooth ? definitions.set_flag("SMOOTH_NORMALS") : definitions;
   }
 
-  template <class Record>
+  /// `relief` is what the kernel takes with RELIEF.
+  template <class Record, class... Relief>
   void cast_image(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
-                  ocl::Buffer<Record>& records, CastMethod method) {
+                  ocl::Buffer<Record>& records, CastMethod method, const Relief&... relief) {
     const TerrainView view = device_view(camera, grid);
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel)
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
-    kernel->launch(image_shape(camera, tuning), heights_m, pyramid.maxima_m(), field(method), view, records);
+    kernel->launch(image_shape(camera, tuning), heights_m, pyramid.maxima_m(), field(method), view, records,
+                   relief...);
   }
 
   /// `bends` are what the kernel takes with IS_CURVED.
@@ -208,6 +211,14 @@ void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, Cast
   auto& kernel =
       state_->image_kernels[static_cast<std::size_t>(normals)][static_cast<std::size_t>(up_rule_of(method))];
   state_->cast_image(kernel, state_->defines(method, normals).set_flag("WRITES_HITS"), camera, hits, method);
+}
+
+void HeightField::cast(const Camera& camera, const ReliefSurface& relief, ocl::Buffer<TerrainHit>& hits) {
+  if (!relief.is_laid()) return cast(camera, hits);
+  constexpr CastMethod method = CastMethod::parity;
+  state_->cast_image(state_->relief_kernel,
+                     state_->defines(method).set_flag("WRITES_HITS").set_flag("RELIEF"), camera, hits, method,
+                     relief.params(), relief.heights_m(), relief.maxima_m());
 }
 
 void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,

@@ -9,6 +9,7 @@
 #include "host/ocl/device.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/cast/ray.h"
+#include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/post_grid.h"
 #include "host/terrain/field/pyramid.h"
 
@@ -70,6 +71,9 @@ class HeightField {
   /// The same with all of a TerrainHit.
   void cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method = CastMethod::parity,
             HitNormals normals = HitNormals::patch);
+  /// The same of the ground as it is drawn, with the relief of this camera's eye; normals are those of the
+  /// field's own patches.
+  void cast(const Camera& camera, const ReliefSurface& relief, ocl::Buffer<TerrainHit>& hits);
 
   /// Enqueues what the first `count` rays hit first. Rays with numbers that are not finite miss. Throws
   /// Error(bad_usage) if a buffer holds fewer.

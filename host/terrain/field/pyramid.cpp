@@ -48,7 +48,7 @@ Pyramid::Pyramid(const ocl::Device& device, const PostGrid& grid, const ocl::Buf
   };
   ocl::Program::build(device, "terrain/pyramid_base.cl")
       .kernel("pyramid_base")
-      .launch(shape_of(1), heights_m, grid.columns, grid.rows, layout_.nodes_x(1), maxima_m_);
+      .launch(shape_of(1), heights_m, 0, grid.columns, grid.rows, layout_.nodes_x(1), maxima_m_, 0);
   const ocl::Kernel reduce =
       ocl::Program::build(device, "terrain/pyramid_reduce.cl").kernel("pyramid_reduce");
   for (int level = 2; level <= layout_.top_level; ++level) {

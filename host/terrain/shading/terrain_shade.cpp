@@ -28,19 +28,36 @@ void require_valid(const Sampling& sampling) {
   }
 }
 
-/// Launches a kernel with the arguments of lakes, or none.
-template <class Launch>
-void with(const LakeLayer* lakes, const Launch& launch) {
-  if (lakes != nullptr) {
-    launch(lakes->waters(), lakes->cells(), lakes->waves(), lakes->count());
-  } else {
-    launch();
-  }
+bool shows_relief(const TerrainAppearance& look) {
+  return look.relief != nullptr && look.relief->is_laid();
 }
 
-ocl::Defines with_lakes(ocl::Defines defines, const LakeLayer* lakes) {
-  if (lakes != nullptr) defines.set("LAKES", 1);
-  return defines;
+/// Of kernels of the same terrain.
+std::size_t variant(const TerrainAppearance& look) {
+  return (look.lakes != nullptr ? 1u : 0u) + (shows_relief(look) ? 2u : 0u);
+}
+
+ocl::Defines defines_of(const TerrainAppearance& look, ocl::Defines of_terrain) {
+  if (look.lakes != nullptr) of_terrain.set_flag("LAKES");
+  if (shows_relief(look)) of_terrain.set_flag("RELIEF");
+  return of_terrain;
+}
+
+/// Launches a kernel with the arguments of lakes and of relief, where there are any.
+template <class Launch>
+void with_extras(const TerrainAppearance& look, const Launch& launch) {
+  const auto with_relief = [&](const auto&... lakes) {
+    if (shows_relief(look)) {
+      launch(lakes..., look.relief->params(), look.relief->heights_m(), look.relief->maxima_m());
+    } else {
+      launch(lakes...);
+    }
+  };
+  if (look.lakes != nullptr) {
+    with_relief(look.lakes->waters(), look.lakes->cells(), look.lakes->waves(), look.lakes->count());
+  } else {
+    with_relief();
+  }
 }
 
 }  // namespace
@@ -61,10 +78,10 @@ TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
                       const TerrainIllumination& light, ocl::Buffer<Texel>& image,
                       const TerrainAppearance& look) {
-  std::optional<Kernels>& kernels = map_kernels_[look.lakes != nullptr ? 1 : 0];
+  std::optional<Kernels>& kernels = map_kernels_[variant(look)];
   if (!kernels) {
-    kernels = build(with_lakes(
-        ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT), look.lakes));
+    kernels = build(
+        defines_of(look, ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT)));
   }
   paint(*kernels,
         {field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
@@ -79,9 +96,8 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
     throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
                 "leave open_sky out");
   }
-  std::optional<Kernels>& kernels =
-      tile_kernels_[static_cast<std::size_t>(field.map().edge)][look.lakes != nullptr ? 1 : 0];
-  if (!kernels) kernels = build(with_lakes(tiles_defines(rays_.lanes, field.map().edge), look.lakes));
+  std::optional<Kernels>& kernels = tile_kernels_[static_cast<std::size_t>(field.map().edge)][variant(look)];
+  if (!kernels) kernels = build(defines_of(look, tiles_defines(rays_.lanes, field.map().edge)));
   paint(*kernels, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)}, camera,
         hits, light, image, look);
 }
@@ -112,21 +128,23 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   const auto& shadow_map = light.clouds != nullptr ? light.clouds->map : no_shadow_;
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
+  const auto launch = [&](const ocl::Kernel& kernel, const auto&... arguments) {
+    kernel.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
+                  terrain.view, arguments...);
+  };
   if (!refines_all) {
-    with(look.lakes, [&](const auto&... lakes) {
-      kernels.shade.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
-                           terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
-                           shares, shadow, shadow_map, lakes..., image, edges_);
+    with_extras(look, [&](const auto&... extras) {
+      launch(kernels.shade, hits, light.light, light.sky, light.view_table, device_look, colours, shares,
+             shadow, shadow_map, extras..., image, edges_);
     });
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, edges_,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
-  with(look.lakes, [&](const auto&... lakes) {
-    kernels.refine.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
-                          terrain.view, light.light, light.sky, light.view_table, device_look, colours,
-                          shares, shadow, shadow_map, lakes..., needs_, sampling.rays, image);
+  with_extras(look, [&](const auto&... extras) {
+    launch(kernels.refine, light.light, light.sky, light.view_table, device_look, colours, shares, shadow,
+           shadow_map, extras..., needs_, sampling.rays, image);
   });
 }
 

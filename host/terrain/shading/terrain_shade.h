@@ -10,6 +10,7 @@
 #include "host/ocl/kernel.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
+#include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/lakes/lake_layer.h"
 #include "host/terrain/shading/colour_layer.h"
@@ -66,6 +67,7 @@ struct TerrainAppearance {
   const LakeLayer* lakes = nullptr;  ///< none: there are none
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
+  const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft
@@ -108,9 +110,11 @@ class TerrainShade {
 
   ocl::Device device_;
   ocl::KernelTuning rays_;
-  // Built when they are first asked for: without lakes and with them; those of tiles by MapEdge.
-  std::array<std::optional<Kernels>, 2> map_kernels_;
-  std::array<std::array<std::optional<Kernels>, 2>, 3> tile_kernels_;
+  // Built when they are first asked for: plain, with lakes, with relief, with both; those of tiles by
+  // MapEdge.
+  using Variants = std::array<std::optional<Kernels>, 4>;
+  Variants map_kernels_;
+  std::array<Variants, 3> tile_kernels_;
   ocl::Kernel contrast_kernel_;
   ocl::Buffer<std::uint32_t> no_colours_;
   ocl::Buffer<std::uint8_t> no_shares_;

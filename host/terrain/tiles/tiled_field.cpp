@@ -67,7 +67,7 @@ struct TiledField::State {
   ocl::Buffer<float> pages;
   Statistics statistics;
   std::optional<glm::dvec3> last_eye_m;
-  std::optional<ocl::Kernel> distance_kernel, image_kernel, ray_kernel, curved_kernel;
+  std::optional<ocl::Kernel> distance_kernel, image_kernel, relief_kernel, ray_kernel, curved_kernel;
   HostRays host_rays;
 
   State(const ocl::Device& on, const TiledMap& of, TileReader read, std::size_t cache_bytes)
@@ -236,16 +236,17 @@ struct TiledField::State {
     return host_rays.cast(device, grid, near, cast);
   }
 
-  template <class Record>
+  /// `relief` is what the kernel takes with RELIEF.
+  template <class Record, class... Relief>
   void cast_image(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
-                  ocl::Buffer<Record>& records) {
+                  ocl::Buffer<Record>& records, const Relief&... relief) {
     require_look();
     const TerrainView view = device_view(camera);
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel) {
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
     }
-    kernel->launch(image_shape(camera, tuning), cache.pool(), pages, field(), view, records);
+    kernel->launch(image_shape(camera, tuning), cache.pool(), pages, field(), view, records, relief...);
   }
 };
 
@@ -293,6 +294,12 @@ void TiledField::cast(const Camera& camera, ocl::Buffer<float>& distances_m) {
 
 void TiledField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits) {
   state_->cast_image(state_->image_kernel, state_->defines().set_flag("WRITES_HITS"), camera, hits);
+}
+
+void TiledField::cast(const Camera& camera, const ReliefSurface& relief, ocl::Buffer<TerrainHit>& hits) {
+  if (!relief.is_laid()) return cast(camera, hits);
+  state_->cast_image(state_->relief_kernel, state_->defines().set_flag("WRITES_HITS").set_flag("RELIEF"),
+                     camera, hits, relief.params(), relief.heights_m(), relief.maxima_m());
 }
 
 std::vector<RayHit> TiledField::cast(std::span<const Ray> rays) {

@@ -11,6 +11,7 @@
 #include "host/ocl/program.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/cast/ray.h"
+#include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/post_grid.h"
 #include "host/terrain/tiles/tile_cut.h"
 #include "host/terrain/tiles/tile_loader.h"
@@ -63,6 +64,8 @@ class TiledField {
   /// Throws Error(bad_usage) before the first one.
   void cast(const Camera& camera, ocl::Buffer<float>& distances_m);
   void cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits);
+  /// The same of the ground as it is drawn, with the relief of this camera's eye.
+  void cast(const Camera& camera, const ReliefSurface& relief, ocl::Buffer<TerrainHit>& hits);
   /// The same for rays in host memory; waits.
   std::vector<RayHit> cast(std::span<const Ray> rays);
 
