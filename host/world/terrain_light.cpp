@@ -12,6 +12,13 @@ CoverLines cover_lines(double latitude_deg) {
   return {.tree_line_m = highest_m * share - below_snow_m, .snow_line_m = highest_m * share};
 }
 
+terrain::ReliefSettings relief_of(const CoverLines& lines, double strength) {
+  return {.strength = strength,
+          .shore_m = std::max(lines.sea_level_m, lines.beach_line_m),
+          .tree_line_m = lines.tree_line_m,
+          .snow_line_m = lines.snow_line_m};
+}
+
 TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
                            const CoverLines& lines, double sea_level_m) {
   const auto narrow = [](double value) { return static_cast<float>(value); };

@@ -2,6 +2,7 @@
 
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/terrain/cast/relief_surface.h"
 #include "kernels/shared/terrain_light_params.h"
 
 namespace offing::world {
@@ -20,6 +21,9 @@ struct CoverLines {
 /// equator and down to the sea at 75, evenly falling between; trees end 800 m lower. Dry and wet mountains
 /// are off by up to 1 km.
 CoverLines cover_lines(double latitude_deg);
+
+/// Relief of ground with these lines.
+terrain::ReliefSettings relief_of(const CoverLines& lines, double strength);
 
 /// The light at the eye as terrain kernels take it, with air that is as dense at `sea_level_m` as an
 /// atmosphere is at the sea.

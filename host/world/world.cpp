@@ -71,6 +71,7 @@ void World::set_terrain(const std::optional<TerrainParameters>& terrain) {
     terrain_.reset();
   }
   parameters_.terrain = terrain;
+  level_ground_below_meshes();
   if (!is_same_shape) {
     bed_.reset();
     make_shoals();
@@ -111,6 +112,7 @@ void World::set_meshes(const std::vector<MeshParameters>& meshes) {
   meshes_ = std::move(views);
   parameters_.meshes = meshes;
   move_meshes_with_bodies();
+  level_ground_below_meshes();
 }
 
 void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
@@ -160,6 +162,22 @@ void World::move_meshes_with_bodies() {
       if (mesh < meshes_.size()) carry(mesh, parameters_.meshes[mesh].motion);
     }
   }
+}
+
+void World::level_ground_below_meshes() {
+  if (!terrain_) return;
+  // What is higher above the ground than its relief flies; what is wider is a landscape of its own.
+  constexpr double standing_m = 1.0, flying_m = 4.0, widest_m = 100.0;
+  std::vector<terrain::LevelDisc> discs;
+  for (const WorldMesh& mesh : meshes_) {
+    const MeshFootprint footprint = mesh.footprint_at(time_s_);
+    const auto ground = terrain_->terrain_at(footprint.middle_m.x, footprint.middle_m.y);
+    if (!mesh.is_visible() || !ground || footprint.radius_m > widest_m) continue;
+    const double above_m = footprint.bottom_m - ground->height_m;
+    const double share = std::clamp((flying_m - above_m) / (flying_m - standing_m), 0.0, 1.0);
+    if (share > 0.0) discs.push_back({footprint.middle_m.x, footprint.middle_m.y, footprint.radius_m, share});
+  }
+  terrain_->set_level_discs(std::move(discs));
 }
 
 void World::set_lights(const std::vector<Light>& lights) {
@@ -217,6 +235,7 @@ void World::at(double time_s, double eye_height_m) {
   }
   light_clouds(time_s);
   time_s_ = time_s;
+  level_ground_below_meshes();
 }
 
 void World::light_clouds(double time_s) {

@@ -233,6 +233,8 @@ class World {
     return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_, parameters_.sea_level_m};
   }
   void move_meshes_with_bodies();
+  /// Relief of the ground ends where meshes stand on it, so that none floats or sinks.
+  void level_ground_below_meshes();
   void look_at_sky(double eye_height_m);
   /// On the ground that this camera sees.
   TerrainLight light_on_terrain(const Camera& camera) const;

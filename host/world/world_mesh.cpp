@@ -12,6 +12,13 @@
 namespace offing::world {
 namespace {
 
+std::array<glm::dvec3, 2> box_of(const std::vector<glm::dvec3>& positions_m) {
+  std::array<glm::dvec3, 2> box_m{positions_m.front(), positions_m.front()};
+  for (const glm::dvec3& position_m : positions_m)
+    box_m = {glm::min(box_m[0], position_m), glm::max(box_m[1], position_m)};
+  return box_m;
+}
+
 // Pictures have a past of one to two of these before the first, longer than highlights take to fade or to
 // reach their places; it begins at 0 where that is within two.
 constexpr double past_s = 10.0;
@@ -67,6 +74,7 @@ struct WorldMesh::Shown {
 WorldMesh::WorldMesh(const ocl::Device& device, const MeshParameters& parameters)
     : parameters_(parameters),
       revision_(next_revision()),
+      box_m_(box_of(parameters.mesh->positions_m)),
       shown_(std::make_unique<Shown>(surface_of(device, parameters))) {
   if (parameters.deformation) shown_->curvature.emplace(device, *parameters.mesh);
 }
@@ -74,6 +82,23 @@ WorldMesh::WorldMesh(const ocl::Device& device, const MeshParameters& parameters
 WorldMesh::WorldMesh(WorldMesh&&) noexcept = default;
 WorldMesh& WorldMesh::operator=(WorldMesh&&) noexcept = default;
 WorldMesh::~WorldMesh() = default;
+
+MeshFootprint WorldMesh::footprint_at(double time_s) const {
+  const highlights::RigidMotion motion = motion_at(time_s);
+  const auto moved_m = [&](const glm::dvec3& place_m) {
+    return motion.rotation * place_m + motion.translation_m;
+  };
+  const glm::dvec3 middle_m = moved_m(0.5 * (box_m_[0] + box_m_[1]));
+  MeshFootprint footprint{.middle_m = {middle_m.x, middle_m.z}, .bottom_m = middle_m.y};
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 corner_m =
+        moved_m({box_m_[corner & 1].x, box_m_[corner >> 1 & 1].y, box_m_[corner >> 2].z});
+    footprint.radius_m =
+        std::max(footprint.radius_m, std::hypot(corner_m.x - middle_m.x, corner_m.z - middle_m.z));
+    footprint.bottom_m = std::min(footprint.bottom_m, corner_m.y);
+  }
+  return footprint;
+}
 
 const highlights::HighlightSurface& WorldMesh::surface() const {
   return shown_->surface;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "host/highlights/projectors/drawn_highlights.h"
 #include "host/highlights/search/highlight_surface.h"
@@ -13,6 +17,12 @@
 #include "host/world/mesh_parameters.h"
 
 namespace offing::world {
+
+/// What a mesh covers from above, as a disc, and its lowest height.
+struct MeshFootprint {
+  glm::dvec2 middle_m{0.0};  ///< x, z
+  double radius_m = 0.0, bottom_m = 0.0;
+};
 
 /// A mesh of a world on a device, and the highlights that eye and lights make on it.
 class WorldMesh {
@@ -29,6 +39,8 @@ class WorldMesh {
   /// again.
   std::uint64_t revision() const { return revision_; }
   const highlights::HighlightSurface& surface() const;
+  /// Of its box at rest, where the mesh is at this time.
+  MeshFootprint footprint_at(double time_s) const;
 
   // All take effect with the next at() or follow().
   void set_material(const MeshMaterial& material) { parameters_.material = material; }
@@ -69,7 +81,8 @@ class WorldMesh {
 
   MeshParameters parameters_;
   std::uint64_t revision_;
-  std::unique_ptr<Shown> shown_;  // what refers to each other stays where it is
+  std::array<glm::dvec3, 2> box_m_;  // least and most
+  std::unique_ptr<Shown> shown_;     // what refers to each other stays where it is
   highlights::RigidMotion motion_;
 };
 

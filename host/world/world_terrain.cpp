@@ -1,11 +1,13 @@
 #include "host/world/world_terrain.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "host/terrain/cast/image_rays.h"
 #include "host/terrain/tiles/tile_posts.h"
+#include "host/terrain/walk/relief_height.h"
 
 namespace offing::world {
 namespace {
@@ -60,7 +62,8 @@ WorldTerrain::WorldTerrain(const ocl::Device& device, const TerrainParameters& p
       posts_(parameters.posts()),
       shade_(device),
       hit_planes_(device),
-      mirrored_cast_(device) {
+      mirrored_cast_(device),
+      relief_(device) {
   if (parameters.map) {
     field_.emplace(device, grid_of(parameters), parameters.map->heights_m);
   } else {
@@ -91,6 +94,7 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
   if (parameters.lakes != parameters_.lakes) make_lakes(parameters);
   parameters_.lakes = parameters.lakes;
   parameters_.lines = parameters.lines;
+  parameters_.relief = parameters.relief;
   parameters_.colours = parameters.colours;
   parameters_.sees_horizons = parameters.sees_horizons;
 }
@@ -134,6 +138,28 @@ void WorldTerrain::look_at_lakes(const Camera& camera, const terrain::TerrainIll
   lakes_->set_looks(looks);
 }
 
+void WorldTerrain::set_level_discs(std::vector<terrain::LevelDisc> discs) {
+  level_discs_ = std::move(discs);
+  for (terrain::LevelDisc& disc : level_discs_) {
+    disc.x_m -= parameters_.origin_x_m;
+    disc.z_m -= parameters_.origin_z_m;
+  }
+}
+
+terrain::ReliefSettings WorldTerrain::relief_settings() const {
+  const bool goes_on = tiles_ && tiles_->map().edge != terrain::MapEdge::ends;
+  terrain::ReliefSettings settings = relief_of(parameters_.lines, goes_on ? 0.0 : parameters_.relief);
+  settings.discs = level_discs_;
+  return settings;
+}
+
+double WorldTerrain::relief_m(double x_m, double z_m) const {
+  const std::optional<terrain::TerrainPoint> below = terrain_at(x_m, z_m);
+  if (!below) return 0.0;
+  const glm::dvec3 feet_m(x_m - parameters_.origin_x_m, below->height_m, z_m - parameters_.origin_z_m);
+  return terrain::relief_height_m(posts_, relief_settings(), feet_m.x, feet_m.z, feet_m);
+}
+
 terrain::RayHit WorldTerrain::cast(const terrain::Ray& ray) {
   const std::span<const terrain::Ray> one(&ray, 1);
   return (field_ ? field_->cast(one) : tiles_->cast(one)).front();
@@ -154,12 +180,13 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
   picture.fit(device_, camera);
   picture.sea = sea;
   look_at_lakes(camera, light);
-  const terrain::TerrainAppearance look = look_of(sampling, sea);
+  terrain::TerrainAppearance look = look_of(sampling, sea);
+  look.relief = &relief_;
   if (field_) {
-    field_->cast(camera, picture.hits);
+    field_->cast(camera, relief_, picture.hits);
     shade_.at(*field_, camera, picture.hits, light, picture.image, look);
   } else {
-    tiles_->cast(camera, picture.hits);
+    tiles_->cast(camera, relief_, picture.hits);
     shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
   }
   hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.planes);
@@ -178,6 +205,15 @@ void WorldTerrain::at(const Camera& camera, const sky::ClearSky& sky, const Terr
   if (!is_in_reach_) return;
   if (tiles_ && wait == TileWait::all) tiles_->look_and_wait(camera);
   if (tiles_ && wait == TileWait::none) tiles_->look(camera, tiles_ahead_m);
+  // Of tiles, nothing is waited for: their coarsest level is nowhere below the ground.
+  const std::optional<terrain::TerrainPoint> below =
+      field_ ? terrain_at(camera.eye_m.x, camera.eye_m.z) : std::nullopt;
+  const double terrain_m = tiles_ ? tiles_->coarse_height_m(camera.eye_m.x, camera.eye_m.z)
+                                  : (below ? below->height_m : -std::numeric_limits<double>::infinity());
+  const double above_m = camera.eye_m.y - terrain_m;
+  const terrain::ReliefSettings relief = relief_settings();
+  if (field_) relief_.at(*field_, camera, above_m, relief);
+  if (tiles_) relief_.at(*tiles_, camera, above_m, relief);
   paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, sea, image_);
 }
 

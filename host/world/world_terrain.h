@@ -13,6 +13,7 @@
 #include "host/sky/clear_sky.h"
 #include "host/terrain/cast/hit_planes.h"
 #include "host/terrain/cast/mirrored_cast.h"
+#include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/shading/colour_layer.h"
@@ -56,6 +57,7 @@ struct TerrainParameters {
   std::optional<double> latitude_deg;         ///< of the map's middle, where its file tells
   CoverLines lines;
   std::shared_ptr<const ColourMap> colours = {};  ///< none: cover by height and slope
+  double relief = 1.0;                            ///< strength of relief between posts, near the eye
   bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
   std::vector<LakeSettings> lakes = {};
 
@@ -92,6 +94,12 @@ class WorldTerrain {
   const terrain::TiledField* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
   /// What a ray hits first, of tiles those of the last at().
   terrain::RayHit cast(const terrain::Ray& ray);
+  /// From now on relief leaves these discs of the world level.
+  void set_level_discs(std::vector<terrain::LevelDisc> discs);
+  terrain::ReliefSettings relief_settings() const;
+  /// Metres by which the ground is drawn higher there, near an eye that stands on it; 0 beyond the map's
+  /// edge.
+  double relief_m(double x_m, double z_m) const;
   /// The ground above or below a point of the world; nothing beyond the map's edge.
   std::optional<terrain::TerrainPoint> terrain_at(double x_m, double z_m) const;
 
@@ -147,6 +155,8 @@ class WorldTerrain {
   terrain::TerrainShade shade_;
   terrain::HitPlanes hit_planes_;
   terrain::MirroredCast mirrored_cast_;
+  terrain::ReliefSurface relief_;  // of the eye of the last at()
+  std::vector<terrain::LevelDisc> level_discs_;
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
   std::optional<terrain::LakeLayer> lakes_;

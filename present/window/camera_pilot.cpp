@@ -15,7 +15,8 @@ void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input,
   scene::ViewScene& view = state.scene.view;
   if (view.mode == CameraMode::walk && sea.terrain()) {
     camera.look(input);
-    if (walking_.advance(sea.terrain()->parameters(), view, input, seconds, camera.camera())) {
+    if (walking_.advance(sea.terrain()->parameters(), sea.terrain()->relief_settings(), view, input, seconds,
+                         camera.camera())) {
       const glm::dvec3& eye_m = camera.camera().eye_m;
       if (sea.scene().has_sea() || !sea.scene().lakes.empty()) camera.rise_above(surface_m(eye_m.x, eye_m.z));
       return;

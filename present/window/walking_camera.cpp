@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "host/terrain/walk/relief_height.h"
+
 namespace offing::present {
 namespace {
 
@@ -36,12 +38,14 @@ void WalkingCamera::begin(const world::TerrainParameters& terrain,
   map_ = terrain.map;
   tiles_ = terrain.tiles;
   origin_m_ = {terrain.origin_x_m, terrain.origin_z_m};
-  walker_.emplace(terrain.posts(), parameters);
+  posts_ = terrain.posts();
+  walker_.emplace(posts_, parameters);
   walker_->reset(place_m.x, place_m.y);
 }
 
-bool WalkingCamera::advance(const world::TerrainParameters& terrain, const scene::ViewScene& how,
-                            const CameraInput& input, double seconds, Camera& camera) {
+bool WalkingCamera::advance(const world::TerrainParameters& terrain, const terrain::ReliefSettings& relief,
+                            const scene::ViewScene& how, const CameraInput& input, double seconds,
+                            Camera& camera) {
   const glm::dvec2 origin_m(terrain.origin_x_m, terrain.origin_z_m);
   const bool goes_on = walker_ && map_ == terrain.map && tiles_ == terrain.tiles && origin_m_ == origin_m &&
                        eye_m_ == camera.eye_m && are_equal(walker_->parameters(), how.walker);
@@ -52,7 +56,9 @@ bool WalkingCamera::advance(const world::TerrainParameters& terrain, const scene
   }
   walker_->advance_to(walker_->time_s() + std::min(seconds, longest_frame_s),
                       wanted_velocity(camera, how, input));
-  camera.eye_m = walker_->state().eye_m + glm::dvec3(origin_m.x, 0.0, origin_m.y);
+  const glm::dvec3 eye_m = walker_->state().eye_m;
+  const double relief_m = terrain::relief_height_m(posts_, relief, eye_m.x, eye_m.z, eye_m);
+  camera.eye_m = eye_m + glm::dvec3(origin_m.x, relief_m, origin_m.y);
   eye_m_ = camera.eye_m;
   return true;
 }

@@ -13,14 +13,15 @@
 
 namespace offing::present {
 
-/// A camera on foot: keys walk, with Shift they run, and the ground carries it (terrain::Walker).
+/// A camera on foot: keys walk, with Shift they run, and the ground carries it (terrain::Walker). It stands
+/// on the ground as it is drawn, relief between the posts included.
 class WalkingCamera {
  public:
   /// Moves a camera by what was asked for in so much time; it stands on this ground even if nothing was. From
   /// wherever somebody else has put it, it goes on at rest. False, and the camera as it was, beyond the
   /// ground's edge.
-  bool advance(const world::TerrainParameters& terrain, const scene::ViewScene& how, const CameraInput& input,
-               double seconds, Camera& camera);
+  bool advance(const world::TerrainParameters& terrain, const terrain::ReliefSettings& relief,
+               const scene::ViewScene& how, const CameraInput& input, double seconds, Camera& camera);
 
  private:
   void begin(const world::TerrainParameters& terrain, const terrain::WalkerParameters& parameters,
@@ -29,6 +30,7 @@ class WalkingCamera {
   std::shared_ptr<const HeightMap> map_;  // which the walker is on, or these:
   std::shared_ptr<const world::TerrainTiles> tiles_;
   glm::dvec2 origin_m_{0.0};  // of its first post
+  terrain::TerrainPosts posts_;
   std::optional<terrain::Walker> walker_;
   glm::dvec3 eye_m_{0.0};  // where the camera was left
 };

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -40,8 +42,8 @@ class TerrainRender : public ::testing::Test {
 // Fails if the camera does not stand where it is told, or the depth is not that of the ground below it: 40 m
 // straight down in the middle, 40 / cos(30 degrees) at the middle of the upper edge, but for half a pixel.
 TEST_F(TerrainRender, DrawsPictureAndDepth) {
-  const ProgramResult result =
-      render({"--camera", "500,140,500,0,-90", "--size", "65x65", "--depth", path("depth.exr"), "--json"});
+  const ProgramResult result = render({"--camera", "500,140,500,0,-90", "--size", "65x65", "--relief", "0",
+                                       "--depth", path("depth.exr"), "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json["ground_share"], 1.0);
@@ -66,7 +68,8 @@ TEST_F(TerrainRender, WarnsOfEyesInTheGroundAndOffTheMap) {
       EXPECT_THAT(result.errors, ::testing::HasSubstr(warning)) << camera;
     }
     const auto json = nlohmann::json::parse(result.output);
-    EXPECT_LT(json["ground_share"].get<double>(), 0.7) << camera;
+    // Relief around an eye that is 10 cm above the map hides more than half: 0.84 there, 1 from inside.
+    EXPECT_LT(json["ground_share"].get<double>(), 0.9) << camera;
     return json["eye_m"][1].get<double>();
   };
   EXPECT_NEAR(eye_of("500,60,500,0,0", "is 40.0 m below the ground; raised to y = 101.7 m, 1.7 m above it"),
@@ -97,10 +100,29 @@ TEST_F(TerrainRender, SkiesHaveNoBands) {
   EXPECT_GT(different, pairs / 4);
 }
 
+// Fails if the ground between posts is level all the same, or higher than twice the usual relief of turf.
+TEST_F(TerrainRender, DrawsReliefBetweenPosts) {
+  ASSERT_EQ(
+      render({"--camera", "500,140,500,0,-90", "--size", "65x65", "--depth", path("depth.exr")}).exit_code,
+      0);
+  const std::vector<float> depth_m = read_exr(path("depth.exr")).channel("Z");
+  const auto [nearest, farthest] =
+      std::minmax_element(depth_m.begin() + 65 * 32 + 28, depth_m.begin() + 65 * 32 + 37);
+  EXPECT_GT(*farthest - *nearest, 0.05f);
+  EXPECT_NEAR(depth_m[65 * 32 + 32], 40.0, 6.0);
+}
+
 // Above the horizon of "walk" there is sky, below it the level ground: half the picture each, but for the row
-// at the horizon.
+// at the horizon. Fails if relief hides more, or the eye stands on the map's surface in spite of it.
 TEST_F(TerrainRender, WalksOnTheGround) {
-  const ProgramResult result = render({"--camera", "walk", "--size", "64x64", "--json"});
+  const ProgramResult rough = render({"--camera", "walk", "--size", "64x64", "--json"});
+  ASSERT_EQ(rough.exit_code, 0) << rough.errors;
+  const auto of_relief = nlohmann::json::parse(rough.output);
+  EXPECT_NEAR(of_relief["eye_m"][1].get<double>(), 101.7, 6.0);
+  EXPECT_GT(std::abs(of_relief["eye_m"][1].get<double>() - 101.7), 1e-3);
+  EXPECT_NEAR(of_relief["ground_share"].get<double>(), 0.5, 0.15);
+  const ProgramResult result =
+      render({"--camera", "walk", "--size", "64x64", "--relief", "0", "--force", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_NEAR(json["eye_m"][1].get<double>(), 101.7, 1e-9);
@@ -156,6 +178,8 @@ TEST_F(TerrainRender, RefusesWithAHint) {
                                                     {"--sun", "10,100"},
                                                     {"--show", "light,steps"},
                                                     {"--snow-line-m", "high"},
+                                                    {"--relief", "-1"},
+                                                    {"--relief", "high"},
                                                     {"--samples", "0"},
                                                     {"--samples", "many"},
                                                     {"--sky-visibility", "some"},

@@ -95,6 +95,24 @@ TEST_F(TerrainTile, AStoreLooksAsItsMap) {
   EXPECT_LT(difference, 0.1);
 }
 
+// Fails if a walker on a store stands elsewhere than one on its map, on relief or without.
+TEST_F(TerrainTile, WalksOnAStoreAsOnItsMap) {
+  const std::vector<std::string> terrain = make_terrain(300);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
+  const auto eye_m = [&](const std::vector<std::string>& input, const std::string& relief) {
+    std::vector<std::string> command{"terrain", "render"};
+    command.insert(command.end(), input.begin(), input.end());
+    command.insert(command.end(), {"-o", path("walk.png"), "--force", "--size", "16x16", "--camera", "walk",
+                                   "--relief", relief, "--json"});
+    const ProgramResult result = run_offing(command);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output)["eye_m"][1].get<double>();
+  };
+  const double on_map_m = eye_m(terrain, "2");
+  EXPECT_NEAR(eye_m({path("store")}, "2"), on_map_m, 0.005);
+  EXPECT_GT(std::abs(eye_m({path("store")}, "0") - on_map_m), 0.02);
+}
+
 // Fails if a run that was killed leaves something that the next run does not fix: the store must have the
 // bytes of one that was made at once.
 TEST_F(TerrainTile, GoesOnAfterAKill) {

@@ -358,13 +358,16 @@ TEST_F(SceneTerrainTest, PlacesTheEyeWhereNothingElseDoes) {
   EXPECT_EQ(moving.view.camera.eye_m.y, 9.0);
 }
 
-// Fails if a walker's eye is not at its height above the ground.
+// Fails if a walker's eye is not at its height above the ground as it is drawn.
 TEST_F(SceneTerrainTest, StandsWalkersOnTheGround) {
   const Scene scene = scene_of(
       "[terrain]\nposts = 33\n[camera]\nx_m = 1234\nz_m = -77\nmode = \"walk\"\n[walk]\neye_height_m = 2\n");
   world::World world(ocl::Device::open(), prepare_world(scene));
   const ViewScene view = show_at(world, scene, 0.0);
-  EXPECT_NEAR(view.camera.eye_m.y, world.terrain()->terrain_at(1234.0, -77.0)->height_m + 2.0, 1e-9);
+  const double relief_m = world.terrain()->relief_m(1234.0, -77.0);
+  EXPECT_NE(relief_m, 0.0);
+  EXPECT_NEAR(view.camera.eye_m.y, world.terrain()->terrain_at(1234.0, -77.0)->height_m + relief_m + 2.0,
+              1e-9);
 }
 
 // Fails if an eye in the ground stays there, if nobody is told how deep it was, or if one over the ground is

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/mesh_shapes/shape.h"
 #include "host/world/world.h"
 #include "tests/terrain/example_tiles.h"
 
@@ -61,6 +62,32 @@ class WorldTerrainTest : public testing::Test {
   }
   ocl::Device device_ = ocl::Device::open();
 };
+
+// A ball on the ridge's slope and one high above it. Fails if the first floats or sinks
+// because relief is drawn below it, or the second keeps relief away, or if that is forgotten when it moves.
+TEST_F(WorldTerrainTest, MeshesStandOnLevelGround) {
+  WorldParameters dry = parameters();
+  const auto ball_at = [](double above_m, double speed_mps) {
+    MeshParameters ball;
+    ball.name = "ball";
+    ball.mesh = std::make_shared<TriangleMesh>(mesh_shapes::make_sphere(2.0, 1).mesh);
+    ball.has_highlights = false;
+    ball.motion = [=](double time_s) {
+      return highlights::RigidMotion{.translation_m = {100.0 + speed_mps * time_s, 72.0 + above_m, 3.0}};
+    };
+    return ball;
+  };
+  dry.meshes = {ball_at(0.0, 0.0), ball_at(50.0, 0.0)};
+  World world(device_, dry);
+  EXPECT_EQ(world.terrain()->relief_m(100.0, 3.0), 0.0);
+  EXPECT_NE(world.terrain()->relief_m(110.0, 3.0), 0.0);
+  EXPECT_EQ(world.terrain()->relief_settings().discs.size(), 1u);
+  world.set_meshes({ball_at(0.0, 2.0)});
+  world.at(5.0, 100.0);
+  EXPECT_NE(world.terrain()->relief_m(100.0, 3.0), 0.0);
+  world.set_meshes({});
+  EXPECT_TRUE(world.terrain()->relief_settings().discs.empty());
+}
 
 // Fails if planes or image are not of the hits, pixel by pixel.
 TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {

@@ -55,9 +55,16 @@ std::vector<std::array<double, 3>> open_directions(const Camera& camera,
   return directions;
 }
 
+/// How far the ground is below the eye; infinite where there is none.
+template <class Field>
+double above_ground_m(Field& field, const Camera& camera) {
+  return field.cast(std::vector<terrain::Ray>{{.origin_m = camera.eye_m}}).front().distance_m;
+}
+
 template <class Field>
 void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
-                const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits, TerrainRender& picture) {
+                const TerrainScenery& scenery, const terrain::ReliefSurface& relief,
+                const ocl::Buffer<TerrainHit>& hits, TerrainRender& picture) {
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
@@ -67,7 +74,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;
   std::optional<terrain::OpenSky> open_sky;
-  terrain::TerrainAppearance look{.sampling = scenery.sampling, .sea_goes_on = scenery.sea_goes_on};
+  terrain::TerrainAppearance look{
+      .sampling = scenery.sampling, .sea_goes_on = scenery.sea_goes_on, .relief = &relief};
   if (scenery.colours) look.colours = &colours.emplace(device, *scenery.colours);
   if constexpr (std::is_same_v<Field, terrain::HeightField>) {
     if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);
@@ -129,13 +137,15 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
   const auto width = static_cast<std::size_t>(camera.width_px),
              height = static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");
-  field.cast(camera, hits_on_device);
+  terrain::ReliefSurface relief(device);
+  relief.at(field, camera, above_ground_m(field, camera), world::relief_of(scenery.lines, scenery.relief));
+  field.cast(camera, relief, hits_on_device);
   const std::vector<TerrainHit> hits = hits_on_device.read();
   TerrainRender picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
   for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
   if (show == TerrainShow::light) {
-    draw_light(device, field, camera, scenery, hits_on_device, picture);
+    draw_light(device, field, camera, scenery, relief, hits_on_device, picture);
   }
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];

@@ -28,6 +28,7 @@
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/terrain/lakes/lake.h"
 #include "host/terrain/tiles/tile_posts.h"
+#include "host/terrain/walk/relief_height.h"
 
 namespace offing::cli {
 
@@ -40,6 +41,7 @@ struct RenderSettings {
   double sea_level_m = 0.0;
   std::optional<double> tree_line_m, snow_line_m;
   scene::SkyVisibility sky_visibility = scene::SkyVisibility::on;
+  double relief = 1.0;
   int samples = 0;  ///< 0: as many as a pixel needs
   TerrainShow show = TerrainShow::light;
 };
@@ -76,6 +78,7 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
           {scene::choice(&RenderSettings::sky_visibility, names_in_scene("terrain.sky_visibility")),
            like_scene("terrain.sky_visibility", "--sky-visibility",
                       "whether surrounding ground blocks light from the sky; off for tile stores")},
+          {&RenderSettings::relief, like_scene("terrain.relief", "--relief")},
           {&RenderSettings::samples,
            {.key = "samples",
             .low = 1.0,
@@ -100,6 +103,7 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
         radians_per_degree;
   }
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
+  scenery.relief = settings.relief;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   scenery.lines.sea_level_m = settings.sea_level_m;
   scenery.lines.tree_line_m = settings.tree_line_m.value_or(scenery.lines.tree_line_m);
@@ -158,13 +162,20 @@ bool has_water_at_edges(const HeightMap& map, double level_m) {
   return is_wet;
 }
 
+/// Brings a camera on foot to the ground as it is drawn.
+void stand_on_relief(const terrain::TerrainPosts& posts, const TerrainScenery& scenery, Camera& camera) {
+  camera.eye_m.y += terrain::relief_height_m(posts, world::relief_of(scenery.lines, scenery.relief),
+                                             camera.eye_m.x, camera.eye_m.z, camera.eye_m);
+}
+
 Rendered render_map(const TerrainRenderArguments& arguments, const RenderSettings& settings,
                     const GlobalOptions& options) {
   const HeightMapFile file = arguments.input.read();
   const PlaceSystem system(frame_of(arguments.input.file(), file.map), arguments.places.system());
-  const Camera camera = read_camera(arguments, settings, system, camera_terrain(file.map));
+  Camera camera = read_camera(arguments, settings, system, camera_terrain(file.map));
   TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
   scenery.sea_goes_on = has_water_at_edges(file.map, settings.sea_level_m);
+  if (arguments.camera == "walk") stand_on_relief(terrain::posts_of(file.map), scenery, camera);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   add_lakes(arguments, system, terrain::posts_of(file.map), scenery);
@@ -188,15 +199,16 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   terrain::TiledField field = make_field(store, device, arguments.cache.read());
   const PlaceSystem system(frame_of(arguments.input.file(), scene::place_of(header)),
                            arguments.places.system());
-  const Camera camera = read_camera(arguments, settings, system, camera_terrain(field));
+  Camera camera = read_camera(arguments, settings, system, camera_terrain(field));
   if (!arguments.lakes.empty() && field.map().edge != terrain::MapEdge::ends) {
     throw Error(ErrorKind::bad_usage, "--lake: expected a map that ends at its edges, found --edge",
                 "leave out --edge");
   }
-  add_lakes(
-      arguments, system,
-      terrain::posts_of(scene::tiled_map(header), scene::tile_reader(store), terrain::Unreadable::refused),
-      scenery);
+  const terrain::TerrainPosts posts =
+      terrain::posts_of(scene::tiled_map(header), scene::tile_reader(store), terrain::Unreadable::refused);
+  if (arguments.camera == "walk" && field.map().edge == terrain::MapEdge::ends)
+    stand_on_relief(posts, scenery, camera);
+  add_lakes(arguments, system, posts, scenery);
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
   return {camera, eye_in(system, camera), draw_terrain(device, field, camera, scenery, settings.show)};

@@ -23,6 +23,7 @@ struct TerrainScene {
   std::optional<double> tree_line_m, snow_line_m;
   std::string colour;  ///< picture of the ground from above; empty: cover by height
   SkyVisibility sky_visibility = SkyVisibility::off;
+  double relief = 1.0;  ///< strength of relief between posts, near the eye; 0: none
 };
 
 }  // namespace offing::scene

@@ -209,6 +209,7 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
       .latitude_deg = heights.latitude_deg,
       .lines = cover_of(scene, heights.latitude_deg),
       .colours = std::move(colours),
+      .relief = scene.terrain.relief,
       .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
   const terrain::TerrainExtent extent = terrain.extent();
   terrain.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
@@ -241,8 +242,12 @@ void stand_on_ground(const world::WorldTerrain& terrain, ViewScene& view) {
   glm::dvec3& eye_m = view.camera.eye_m;
   const std::optional<double> below_m = terrain.surface_m(eye_m.x, eye_m.z);
   if (!below_m) return;
-  if (view.mode == CameraMode::walk) eye_m.y = *below_m + view.walker.eye_height_m;
-  terrain::lift_out_of_terrain(eye_m, *below_m, view.walker.eye_height_m);
+  if (view.mode == CameraMode::walk) {
+    // On the ground as it is drawn, which may be below that of the map.
+    eye_m.y = *below_m + terrain.relief_m(eye_m.x, eye_m.z) + view.walker.eye_height_m;
+  } else {
+    terrain::lift_out_of_terrain(eye_m, *below_m, view.walker.eye_height_m);
+  }
 }
 
 std::optional<std::string> eye_warning(const world::WorldTerrain& terrain, ViewScene view, bool has_sea) {

@@ -246,6 +246,12 @@ std::vector<Row<TerrainScene>> place_rows() {
         .example = "orthophoto.tif",
         .absent = "none: colours by height and slope",
         .rule = ParameterRule::file_name}},
+      {&TerrainScene::relief,
+       {.key = "relief",
+        .low = 0.0,
+        .high = 2.0,
+        .help =
+            "strength of the relief that is drawn between posts near the eye: 0 none; answers ignore it"}},
       {choice(&TerrainScene::sky_visibility, {"off", "on"}),
        {.key = "sky_visibility",
         .help = "whether surrounding ground blocks light from the sky; adds a second or two at the start"},

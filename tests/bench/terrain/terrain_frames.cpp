@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,9 +40,12 @@ void bench_terrain_frames(const ocl::Device& device, const NamedMap& named, terr
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
   terrain::TerrainShade shade(device);
+  terrain::ReliefSurface relief(device);
   const std::vector<TerrainCamera> cameras = terrain_cameras(named.map);
   for (const int rays : {1, 16}) {
-    for (const char* way : {"fly", "walk"}) {
+    for (const char* drawn : {"fly", "walk", "relief_walk"}) {
+      const bool has_relief = std::string_view(drawn) == "relief_walk";
+      const std::string_view way = has_relief ? "walk" : drawn;
       FrameTime mean;
       double count = 0.0;
       for (const auto& [camera_way, camera] : cameras) {
@@ -54,9 +58,10 @@ void bench_terrain_frames(const ocl::Device& device, const NamedMap& named, terr
         ocl::Buffer<terrain::Texel> image(device, pixels, "image");
         const FrameTime time = frame_time(
             [&] {
-              field.cast(camera, hits);
+              relief.at(field, camera, 1.7, {.strength = has_relief ? 1.0 : 0.0});
+              field.cast(camera, relief, hits);
               shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, image,
-                       {.sampling = {.rays = rays}});
+                       {.sampling = {.rays = rays}, .relief = &relief});
               device.finish();
             },
             blocks);
@@ -65,7 +70,7 @@ void bench_terrain_frames(const ocl::Device& device, const NamedMap& named, terr
         ++count;
       }
       sinks.row(
-          {.name = fmt::format("terrain_{}_{}_{}", rays == 1 ? "frame" : "smooth_frame", way, named.name),
+          {.name = fmt::format("terrain_{}_{}_{}", rays == 1 ? "frame" : "smooth_frame", drawn, named.name),
            .size = named.map.columns,
            .ours_ms = mean.ms / count,
            .peer = "none",
