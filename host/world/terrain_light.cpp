@@ -46,7 +46,8 @@ TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere&
           .snow_line_m = narrow(lines.snow_line_m),
           // Of a light breeze, 4 m/s: half the mean square slope of Cox & Munk 1954.
           .water_slopes = 0.012f,
-          .swash = {}};
+          .swash = {},
+          .still_water_m = 0.0f};
 }
 
 }  // namespace offing::world

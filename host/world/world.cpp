@@ -314,9 +314,9 @@ void World::see_terrain_beneath(const Camera& camera) {
 
 TerrainLight World::light_on_terrain(const Camera& camera) const {
   TerrainLight light = terrain_light_;
-  // Kernels know the swash of a sea at height 0.
-  if (swash_ && parameters_.sea_level_m == 0.0)
-    light.swash = swash_->at(camera.eye_m.x, camera.eye_m.z, time_s_);
+  if (!swash_) return light;
+  light.swash = swash_->at(camera.eye_m.x, camera.eye_m.z, time_s_);
+  light.still_water_m = static_cast<float>(parameters_.sea_level_m);
   return light;
 }
 

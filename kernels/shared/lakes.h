@@ -3,16 +3,22 @@
 #ifndef OFFING_KERNELS_SHARED_LAKES_H
 #define OFFING_KERNELS_SHARED_LAKES_H
 
+// Flags of a cell: there may be water in it; and from this bit on, of its north-west, north-east, south-west
+// and south-east posts, whether the post or one beside it is under water.
+#define LAKE_CELL_WET 1
+#define LAKE_NEAR_SHIFT 1
+
 // Water of one level.
 typedef struct {
   float level_m;
-  // A box of cells, [rows][columns] bytes from first_byte on: 1 where there may be water.
+  // A box of cells, [rows][columns] bytes of flags from first_byte on.
   int first_x, first_z, columns, rows;
   int first_byte;
   int first_wave, wave_count;
   // Covariance of the slopes of ripples, shorter than all waves.
   float ripples_xx, ripples_xz, ripples_zz;
-  // What water takes of light a metre, and what it sends up where it is deep, by the sky's light and the sun's.
+  // What water takes of light a metre, and what it sends up where it is deep, by the sky's light and the
+  // sun's.
   float attenuation_red_perm, attenuation_green_perm, attenuation_blue_perm;
   float of_sky_red_kcdpm2, of_sky_green_kcdpm2, of_sky_blue_kcdpm2;
   float of_sun_red_kcdpm2, of_sun_green_kcdpm2, of_sun_blue_kcdpm2;

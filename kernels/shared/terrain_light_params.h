@@ -25,11 +25,12 @@ typedef struct {
   float snow_line_m;
   // Variance of the slopes of water in a direction; 0: water is painted like ground.
   float water_slopes;
-  SwashParams swash;  // about the point at sea level below the eye
+  SwashParams swash;    // about the point at sea level below the eye
+  float still_water_m;  // height of the still sea that the swash washes up from
 } TerrainLight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLight) == 240, "no padding");
+static_assert(sizeof(TerrainLight) == 244, "no padding");
 #endif
 
 #endif

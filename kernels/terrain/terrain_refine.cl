@@ -24,11 +24,7 @@ INLINE float radical_inverse(int number) {
 // The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
 // not flicker: the points of Hammersley, one in each of `samples` columns of a pixel and, where they are a power of 2, rows.
 INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
-                           int samples,
-#ifdef LAKES
-                           Lakes lakes, __global const LakeWave *waves,
-#endif
-                           float4 *lights) {
+                           int samples, float4 *lights) {
   const TerrainField field = scenery->terrain.field;
   const float sample_rad = pixel_rad(view) / sqrt((float)samples);
   Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
@@ -53,8 +49,8 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
 #ifdef LAKES
-    on_ground.is_hit &= shown_with_lakes(scenery->look, lakes, rays, on_ground);
-    Colours seen = light_with_lakes(scenery, lakes, waves, rays, on_ground).seen;
+    on_ground.is_hit &= shown_with_lakes(scenery, rays, on_ground);
+    Colours seen = light_with_lakes(scenery, rays, on_ground).seen;
 #else
     on_ground.is_hit &= shown_by_height(scenery->look, ray_setup.ray, t_m);
     Colours seen = terrain_light(scenery, rays, on_ground).seen;
@@ -93,13 +89,13 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
 #endif
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+#ifdef LAKES
+                           , {lakes, lake_cells, lake_count}, lake_waves
+#endif
 #ifdef RELIEF
                            , {relief_m, relief_maxima_m, relief_params}
 #endif
   };
-#ifdef LAKES
-  const Lakes all_lakes = {lakes, lake_cells, lake_count};
-#endif
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
@@ -124,11 +120,7 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
         rows[lane] = (float)(place / view.width_px);
       }
       float4 lights[LANES];
-      mean_light(&scenery, view, first_level, load_lanes(columns), load_lanes(rows), rays,
-#ifdef LAKES
-                 all_lakes, lake_waves,
-#endif
-                 lights);
+      mean_light(&scenery, view, first_level, load_lanes(columns), load_lanes(rows), rays, lights);
       for (int lane = 0; lane < min(LANES, count - first); ++lane) image[places[first + lane]] = lights[lane];
     }
   }

@@ -56,20 +56,20 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
 #endif
                             __global float4 *restrict image, __global float4 *restrict edges) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+#ifdef LAKES
+                           , {lakes, lake_cells, lake_count}, lake_waves
+#endif
 #ifdef RELIEF
                            , {relief_m, relief_maxima_m, relief_params}
 #endif
   };
-#ifdef LAKES
-  const Lakes all_lakes = {lakes, lake_cells, lake_count};
-#endif
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       TerrainHits terrain = terrain_hits(hits, view, column, row);
 #ifdef LAKES
-      terrain.is_hit &= shown_with_lakes(look, all_lakes, rays, terrain);
+      terrain.is_hit &= shown_with_lakes(&scenery, rays, terrain);
 #else
       terrain.is_hit &= shown_by_height(look, rays, terrain.t_m);
 #endif
@@ -78,7 +78,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
       terrain.way_z = turned(view.cell_z, view.fraction_z, terrain.t_m * rays.along_z, field.cells_z);
 #endif
 #ifdef LAKES
-      const TerrainColours colours_there = light_with_lakes(&scenery, all_lakes, lake_waves, rays, terrain);
+      const TerrainColours colours_there = light_with_lakes(&scenery, rays, terrain);
 #else
       const TerrainColours colours_there = terrain_light(&scenery, rays, terrain);
 #endif

@@ -25,7 +25,8 @@ constexpr double spacing_m = 2.0;
 /// Ground of 128 x 128 m with a lake, and pictures of it with one ray a pixel.
 class LakeScene {
  public:
-  LakeScene(const std::function<double(double, double)>& height_m, double level_m)
+  LakeScene(const std::function<double(double, double)>& height_m, double level_m,
+            const test::PaintedTerrain& painted = {}, float ripples = 0.0f)
       : map_{.name = "made",
              .grid = {.columns = posts_a_side,
                       .rows = posts_a_side,
@@ -46,11 +47,12 @@ class LakeScene {
                   },
               .is_void = [](int, int) { return false; }};
     lake_ = std::make_shared<const Lake>(terrain::fill_lake(posts_, 64.0, 64.0, level_m));
-    painter_ = std::make_unique<test::TerrainPainter>(map_, test::PaintedTerrain());
+    painter_ = std::make_unique<test::TerrainPainter>(map_, painted);
     layer_ = std::make_unique<terrain::LakeLayer>(painter_->device(), std::vector{lake_});
     terrain::LakeLook black;
     black.water.attenuation_red_perm = black.water.attenuation_green_perm =
         black.water.attenuation_blue_perm = 1e3f;
+    black.water.ripples_xx = black.water.ripples_zz = ripples;
     layer_->set_looks({&black, 1});
   }
 
@@ -181,6 +183,84 @@ TEST(LakeLightTest, MirrorsTheGroundAcross) {
   EXPECT_GT(hillside, 0.0);
   EXPECT_GT(of_hill, 50);
   RecordProperty("of_sky", of_sky);
+}
+
+// Fails if ruffled water mirrors the line between a hill and the sky as a line: slopes of 0.05 spread it over
+// tens of rows. From row to row the mirrored light, over what water mirrors there, changes by less than 15 %
+// of the difference between hill and sky. With two rays for all facets it changed by half of it.
+TEST(LakeLightTest, RipplesBlurTheSkyline) {
+  constexpr float slope = 0.05f;
+  LakeScene scene(
+      [](double x_m, double z_m) {
+        const bool is_rim = x_m < 24.0 || z_m < 10.0 || z_m > 118.0;
+        return std::max(is_rim ? 10.0 : 0.0, std::min(x_m - 80.0, 14.0));
+      },
+      6.0, {}, slope * slope);
+  const Camera camera{.eye_m = {22.0, 12.0, 64.0},
+                      .yaw_rad = 0.5 * 3.14159265358979,
+                      .pitch_rad = -0.2,
+                      .vertical_field_of_view_rad = 0.3,
+                      .width_px = 1,
+                      .height_px = 96};
+  const std::vector<Texel> image = scene.draw(camera, true);
+  std::vector<double> mirrored;
+  for (int row = 0; row < camera.height_px; ++row) {
+    const glm::dvec3 ray = ray_of(camera, 0, row);
+    const glm::dvec3 place_m = camera.eye_m + (scene.level_m() - camera.eye_m.y) / ray.y * ray;
+    if (ray.y < 0.0 && scene.depth_m(place_m.x, place_m.z) > 1.0)
+      mirrored.push_back(static_cast<double>(image[static_cast<std::size_t>(row)][0]) /
+                         mirrored_share(-ray.y));
+  }
+  ASSERT_GT(mirrored.size(), 60u);
+  const auto [least, most] = std::ranges::minmax(mirrored);
+  EXPECT_GT(most, 1.3 * least) << "no skyline in sight";
+  double largest = 0.0;
+  for (std::size_t i = 1; i < mirrored.size(); ++i)
+    largest = std::max(largest, std::abs(mirrored[i] - mirrored[i - 1]) / (most - least));
+  RecordProperty("largest_step", std::to_string(largest));
+  EXPECT_LT(largest, 0.15);
+}
+
+// Fails if meadows reach down to the water, or gravel reaches on: between 0.05 and 0.15 m above it ground is
+// gravel, which is redder than green, and from 3 m on the picture is the one without a lake. Before: meadows.
+TEST(LakeLightTest, ShoresAreBare) {
+  test::PaintedTerrain meadows;
+  meadows.light.sun_red_klx = 0.0f;
+  meadows.light.sky_red_klx = meadows.light.sky_green_klx = meadows.light.sky_blue_klx = 10.0f;
+  meadows.light.sea_level_m = meadows.light.beach_line_m = -1e6f;
+  meadows.light.tree_line_m = meadows.light.snow_line_m = 1e6f;
+  LakeScene scene(
+      [](double x_m, double z_m) { return std::max(0.1 * std::hypot(x_m - 64.0, z_m - 64.0), 0.5); }, 3.0,
+      meadows);
+  const Camera camera{.eye_m = {64.0, 80.0, 64.0},
+                      .pitch_rad = -1.57079,
+                      .vertical_field_of_view_rad = 1.3,
+                      .width_px = 128,
+                      .height_px = 128};
+  const std::vector<Texel> dry = scene.draw(camera, false), wet = scene.draw(camera, true);
+  double gravel_red = 0.0, gravel_green = 0.0, meadow_red = 0.0, meadow_green = 0.0;
+  int on_meadow = 0;
+  for (int row = 0; row < camera.height_px; ++row) {
+    for (int column = 0; column < camera.width_px; ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(row * camera.width_px + column);
+      const glm::dvec3 ray = ray_of(camera, column, row);
+      // Of the cone that the bowl is.
+      const double out = std::hypot(ray.x, ray.z), way_m = camera.eye_m.y / (0.1 * out - ray.y);
+      const double above_m = 0.1 * out * way_m - scene.level_m();
+      if (above_m > 0.05 && above_m < 0.15) {
+        gravel_red += static_cast<double>(wet[pixel][0]);
+        gravel_green += static_cast<double>(wet[pixel][1]);
+        meadow_red += static_cast<double>(dry[pixel][0]);
+        meadow_green += static_cast<double>(dry[pixel][1]);
+      } else if (above_m > 3.0) {
+        ++on_meadow;
+        EXPECT_EQ(wet[pixel], dry[pixel]) << column << ' ' << row;
+      }
+    }
+  }
+  EXPECT_GT(meadow_green, meadow_red);
+  EXPECT_GT(gravel_red, 1.05 * gravel_green);
+  EXPECT_GT(on_meadow, 100);
 }
 
 }  // namespace

@@ -50,10 +50,12 @@ TEST(TerrainLayoutTest, TerrainHit) {
 
 TEST(TerrainLayoutTest, TerrainLight) {
   using S = TerrainLight;
-  EXPECT_EQ(layout_of("shared/terrain_light_params.h", "TerrainLight",
-                      {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m", "swash"}),
-            (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm),
-                    offsetof(S, aerosol_perm), offsetof(S, snow_line_m), offsetof(S, swash)}));
+  EXPECT_EQ(
+      layout_of(
+          "shared/terrain_light_params.h", "TerrainLight",
+          {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m", "swash", "still_water_m"}),
+      (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm), offsetof(S, aerosol_perm),
+              offsetof(S, snow_line_m), offsetof(S, swash), offsetof(S, still_water_m)}));
 }
 
 TEST(TerrainLayoutTest, TerrainSight) {

@@ -6,6 +6,29 @@
 #include "host/ocl/program.h"
 
 namespace offing::terrain {
+namespace {
+
+/// Whether the post or one beside it is under water.
+bool is_near_water(const Lake& lake, int column, int row) {
+  for (int z = row - 1; z <= row + 1; ++z) {
+    for (int x = column - 1; x <= column + 1; ++x)
+      if (lake.is_wet_at(x, z)) return true;
+  }
+  return false;
+}
+
+/// As kernels/shared/lakes.h has them.
+std::uint8_t cell_flags(const Lake& lake, int column, int row) {
+  int flags = 0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const int x = column + corner % 2, z = row + corner / 2;
+    if (lake.is_wet_at(x, z)) flags |= LAKE_CELL_WET;
+    if (is_near_water(lake, x, z)) flags |= 1 << (LAKE_NEAR_SHIFT + corner);
+  }
+  return static_cast<std::uint8_t>(flags);
+}
+
+}  // namespace
 
 LakeLayer::LakeLayer(const ocl::Device& device, const std::vector<std::shared_ptr<const Lake>>& lakes)
     : device_(device),
@@ -16,19 +39,17 @@ LakeLayer::LakeLayer(const ocl::Device& device, const std::vector<std::shared_pt
       waves_(device, 1, "waves of lakes") {
   std::vector<std::uint8_t> cells;
   for (const auto& lake : lakes) {
+    // The lake's box, and a cell more on each side.
     LakeWater& box = boxes_.emplace_back();
     box.level_m = static_cast<float>(lake->level_m);
-    box.first_x = lake->first_column;
-    box.first_z = lake->first_row;
-    box.columns = lake->columns - 1;
-    box.rows = lake->rows - 1;
+    box.first_x = lake->first_column - 1;
+    box.first_z = lake->first_row - 1;
+    box.columns = lake->columns + 1;
+    box.rows = lake->rows + 1;
     box.first_byte = static_cast<int>(cells.size());
-    for (int row = lake->first_row; row + 1 < lake->first_row + lake->rows; ++row) {
-      for (int column = lake->first_column; column + 1 < lake->first_column + lake->columns; ++column) {
-        const bool has_water = lake->is_wet_at(column, row) || lake->is_wet_at(column + 1, row) ||
-                               lake->is_wet_at(column, row + 1) || lake->is_wet_at(column + 1, row + 1);
-        cells.push_back(has_water ? 1 : 0);
-      }
+    for (int row = box.first_z; row < box.first_z + box.rows; ++row) {
+      for (int column = box.first_x; column < box.first_x + box.columns; ++column)
+        cells.push_back(cell_flags(*lake, column, row));
     }
   }
   cells_ = ocl::Buffer<std::uint8_t>(device, cells, "cells of lakes");

@@ -15,13 +15,13 @@ namespace {
 
 class ShoreTest : public test::StillSea {
  protected:
-  /// A beach that rises by 1 : 10 toward the south; its waterline is at z = 0.
-  static world::TerrainParameters beach() {
+  /// A beach that rises by 1 : 10 toward the south; its waterline is at z = 0 where the sea is at `level_m`.
+  static world::TerrainParameters beach(double level_m = 0.0) {
     HeightMap map;
     map.columns = map.rows = 65;
     map.spacing_x_m = map.spacing_z_m = 5.0;
     for (int row = 0; row < map.rows; ++row) {
-      map.heights_m.insert(map.heights_m.end(), 65, static_cast<float>(0.1 * (5.0 * row - 160.0)));
+      map.heights_m.insert(map.heights_m.end(), 65, static_cast<float>(level_m + 0.1 * (5.0 * row - 160.0)));
     }
     world::TerrainParameters terrain;
     terrain.map = std::make_shared<const HeightMap>(std::move(map));
@@ -130,6 +130,31 @@ TEST_F(ShoreTest, SandIsWetAsFarAsTheSwashReaches) {
   ASSERT_LT(2.0 * reach_m, 2.6);
   EXPECT_NEAR(brighter(0.6 * reach_m), 1.0, 0.1);
   EXPECT_NEAR(brighter(2.0 * reach_m), 1.0 / 0.6, 0.1 / 0.6);
+}
+
+// Fails if sand is wetted about height 0 wherever the sea is. Rows of the beach at 0 m and 1500 m higher have
+// the same mean light within 25 %: their patterns differ, found 11 % for the ground alone. Dry sand is 67 %
+// brighter than wet sand.
+TEST_F(ShoreTest, SandIsWetWhereverTheSeaIs) {
+  constexpr double level_m = 1500.0;
+  Camera camera = square_camera({0.0, 40.0, 9.0});
+  camera.pitch_rad = -0.5 * std::numbers::pi;
+  camera.vertical_field_of_view_rad = 0.4;
+  const std::vector<float> low = light_on(beach(), breeze, camera, side_px);
+  camera.eye_m.y += level_m;
+  const std::string raised = "[world]\nsea_level_m = 1500\n" + std::string(breeze);
+  const std::vector<float> high = light_on(beach(level_m), raised, camera, side_px);
+  double largest = 0.0;
+  for (int row = 0; row < side_px; ++row) {
+    double of_low = 0.0, of_high = 0.0;
+    for (int column = 0; column < side_px; ++column) {
+      of_low += static_cast<double>(pixel(low, column, row)[1]);
+      of_high += static_cast<double>(pixel(high, column, row)[1]);
+    }
+    largest = std::max(largest, std::abs(of_high / of_low - 1.0));
+  }
+  RecordProperty("largest_difference", std::to_string(largest));
+  EXPECT_LT(largest, 0.25);
 }
 
 }  // namespace
