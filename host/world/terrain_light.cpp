@@ -12,6 +12,10 @@ CoverLines cover_lines(double latitude_deg) {
   return {.tree_line_m = highest_m * share - below_snow_m, .snow_line_m = highest_m * share};
 }
 
+terrain::LandscapeLines landscape_lines(const CoverLines& lines) {
+  return {.shore_m = std::max(lines.sea_level_m, lines.beach_line_m), .tree_line_m = lines.tree_line_m};
+}
+
 terrain::ReliefSettings relief_of(const CoverLines& lines, double strength) {
   return {.strength = strength,
           .shore_m = std::max(lines.sea_level_m, lines.beach_line_m),

@@ -3,6 +3,7 @@
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
 #include "host/terrain/cast/relief_surface.h"
+#include "host/terrain/shading/materials.h"
 #include "kernels/shared/terrain_light_params.h"
 
 namespace offing::world {
@@ -21,6 +22,9 @@ struct CoverLines {
 /// equator and down to the sea at 75, evenly falling between; trees end 800 m lower. Dry and wet mountains
 /// are off by up to 1 km.
 CoverLines cover_lines(double latitude_deg);
+
+/// What a landscape with these lines has.
+terrain::LandscapeLines landscape_lines(const CoverLines& lines);
 
 /// Relief of ground with these lines.
 terrain::ReliefSettings relief_of(const CoverLines& lines, double strength);

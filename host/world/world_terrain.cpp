@@ -72,6 +72,12 @@ WorldTerrain::WorldTerrain(const ocl::Device& device, const TerrainParameters& p
   if (parameters.colours) colours_.emplace(device, *parameters.colours);
   if (parameters.sees_horizons && field_) open_sky_.emplace(device, *field_);
   make_lakes(parameters);
+  make_materials(parameters);
+}
+
+void WorldTerrain::make_materials(const TerrainParameters& parameters) {
+  materials_.reset();
+  if (!parameters.materials.empty()) materials_.emplace(device_, parameters.materials);
 }
 
 void WorldTerrain::make_lakes(const TerrainParameters& parameters) {
@@ -93,6 +99,8 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
   if (are_other_colours) colours_ = std::move(colours);
   if (parameters.lakes != parameters_.lakes) make_lakes(parameters);
   parameters_.lakes = parameters.lakes;
+  if (parameters.materials != parameters_.materials) make_materials(parameters);
+  parameters_.materials = parameters.materials;
   parameters_.lines = parameters.lines;
   parameters_.relief = parameters.relief;
   parameters_.colours = parameters.colours;
@@ -171,7 +179,8 @@ terrain::TerrainAppearance WorldTerrain::look_of(const terrain::Sampling& sampli
           .colours = colours_ ? &*colours_ : nullptr,
           .open_sky = open_sky_ ? &*open_sky_ : nullptr,
           .sea = sea,
-          .lakes = lakes_ ? &*lakes_ : nullptr};
+          .lakes = lakes_ ? &*lakes_ : nullptr,
+          .materials = materials_ ? &*materials_ : nullptr};
 }
 
 void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIllumination& light,

@@ -17,6 +17,7 @@
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/shading/colour_layer.h"
+#include "host/terrain/shading/materials.h"
 #include "host/terrain/shading/open_sky.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "host/terrain/tiles/tiled_field.h"
@@ -60,6 +61,7 @@ struct TerrainParameters {
   double relief = 1.0;                            ///< strength of relief between posts, near the eye
   bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
   std::vector<LakeSettings> lakes = {};
+  std::vector<terrain::Material> materials = {};  ///< over the cover by height and slope
 
   bool operator==(const TerrainParameters&) const = default;
 
@@ -142,6 +144,7 @@ class WorldTerrain {
   terrain::TerrainAppearance look_of(const terrain::Sampling& sampling,
                                      const terrain::SeaOverTerrain& sea) const;
   void make_lakes(const TerrainParameters& parameters);
+  void make_materials(const TerrainParameters& parameters);
   /// How lakes look to this camera.
   void look_at_lakes(const Camera& camera, const terrain::TerrainIllumination& light);
   void paint(const Camera& camera, const terrain::TerrainIllumination& light,
@@ -160,6 +163,7 @@ class WorldTerrain {
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
   std::optional<terrain::LakeLayer> lakes_;
+  std::optional<terrain::MaterialLayer> materials_;
   double time_s_ = 0.0;
   TerrainImage image_, beneath_, mirrored_;
   bool is_in_reach_ = false, is_mirrored_ = false;

@@ -1,5 +1,5 @@
-// What lies on terrain beside its light: a map of colours and the share of the sky that its posts see, one
-// layout for host and device: 4-byte scalars only.
+// What lies on terrain beside its light: a map of colours, materials, and the share of the sky that its posts
+// see, one layout for host and device: 4-byte scalars only.
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 
@@ -15,11 +15,12 @@ typedef struct {
   // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water
   // that is drawn over it: it counts as missed, and so does what is higher than hidden_above_m.
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
-  int sea_goes_on;  // 1: rays that pass by the map meet a sea beyond it
+  int material_count;  // of shared/terrain_materials.h
+  int sea_goes_on;     // 1: rays that pass by the map meet a sea beyond it
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLook) == 56, "no padding");
+static_assert(sizeof(TerrainLook) == 60, "no padding");
 #endif
 
 #endif

@@ -79,6 +79,7 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              __global const float4 *restrict view_table, TerrainLook look,
                              __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                              const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
+                             __global const TerrainMaterial *restrict materials,
 #ifdef LAKES
                              __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
                              __global const LakeWave *restrict lake_waves, int lake_count,
@@ -88,7 +89,8 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              __global const float *restrict relief_maxima_m,
 #endif
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map,
+                           materials
 #ifdef LAKES
                            , {lakes, lake_cells, lake_count}, lake_waves
 #endif

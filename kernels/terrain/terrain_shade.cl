@@ -3,7 +3,7 @@
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
-//      terrain/open_sky.cl: of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
+//      terrain/open_sky.cl, materials (shared/terrain_materials.h): of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
 //      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
@@ -46,6 +46,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
+                            __global const TerrainMaterial *restrict materials,
 #ifdef LAKES
                             __global const LakeWater *restrict lakes, __global const uchar *restrict lake_cells,
                             __global const LakeWave *restrict lake_waves, int lake_count,
@@ -55,7 +56,8 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             __global const float *restrict relief_maxima_m,
 #endif
                             __global float4 *restrict image, __global float4 *restrict edges) {
-  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map,
+                           materials
 #ifdef LAKES
                            , {lakes, lake_cells, lake_count}, lake_waves
 #endif

@@ -149,6 +149,7 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
       return scene.has_sea() && !scene.meshes.empty();
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
+    case ParameterGroup::material:
     case ParameterGroup::walk:
     case ParameterGroup::lake:
       return scene.terrain.is_given;
@@ -431,6 +432,7 @@ std::span<const GroupPanel> group_panels() {
        {ParameterGroup::foam, "Foam"},
        {ParameterGroup::terrain, "Ground", "terrain land map mountains"},
        {ParameterGroup::height_map, "Height map", "terrain geotiff elevation"},
+       {ParameterGroup::material, "Materials", "terrain ground rock sand grass soil colour"},
        {ParameterGroup::walk, "Walk"},
        {ParameterGroup::lake, "Lakes", "water tarn pond reservoir"},
        {ParameterGroup::mesh, "Meshes", "object model shape ship boat"},

@@ -283,6 +283,33 @@ TEST_F(SceneTerrainTest, HasTheLinesOfTheScene) {
   EXPECT_EQ(lines("[terrain]\nposts = 5\n").snow_line_m, world::CoverLines{}.snow_line_m);
 }
 
+// Fails if materials of a scene do not lie over those of its landscape, values are mixed up, or a new colour
+// makes the heights anew.
+TEST_F(SceneTerrainTest, HasTheMaterialsOfTheScene) {
+  const std::string text =
+      "[terrain]\nposts = 5\nlandscape = \"desert\"\ntree_line_m = 900\n"
+      "[[terrain.material]]\nname = \"moss\"\nlike = \"grass\"\ncolour = [0.1, 0.2, 0.3]\nlowest_m = 7\n"
+      "[[terrain.material]]\ngentlest_deg = 90\nsteepest_deg = 45\nshare = 0.5\n";
+  const Scene before = scene_of(text);
+  const auto now = prepare_terrain(before);
+  const std::size_t own = terrain::materials_of(terrain::Landscape::desert, {}).size();
+  ASSERT_EQ(now->materials.size(), own + 2);
+  const terrain::Material &moss = now->materials[own], &last = now->materials[own + 1];
+  EXPECT_EQ(moss.name, "moss");
+  EXPECT_EQ(moss.like, terrain::MaterialLike::grass);
+  EXPECT_EQ(moss.colour.b, 0.3);
+  EXPECT_EQ(moss.lowest_m, 7.0);
+  EXPECT_FALSE(moss.highest_m);
+  EXPECT_DOUBLE_EQ(last.gentlest_rad, 2.0 * *last.steepest_rad);
+  EXPECT_EQ(last.share, 0.5);
+  Scene after = before;
+  after.terrain.materials[0].colour.r = 0.9;
+  const auto edited = edited_terrain(now, before, after);
+  EXPECT_EQ(edited->map, now->map);
+  EXPECT_EQ(edited->materials[own].colour.r, 0.9);
+  EXPECT_TRUE(prepare_terrain(scene_of("[terrain]\nposts = 5\n"))->materials.empty());
+}
+
 /// Two pits in 9 x 5 posts 10 m apart: 3 m at (-20, 0), 4 m at (20, 0); a saddle of 7 m between them, 9 m
 /// around.
 std::string pits(const std::filesystem::path& folder) {

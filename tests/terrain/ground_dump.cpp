@@ -1,15 +1,17 @@
 // ground_dump FILE: rays and pictures of a small map through every kernel of the terrain, on the device that
 // the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the pictures'
 // light: plain, and with a colour map over half of the ground, shares of the sky and automatic sampling;
-// then a viewshed, ground with relief, and rays and pictures of a map in tiles.
+// then a viewshed, a lake and materials, ground with relief, and rays and pictures of a map in tiles.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "host/terrain/analysis/viewshed.h"
+#include "host/terrain/lakes/lake.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "tests/ocl/dump_program.h"
 #include "tests/terrain/example_tiles.h"
@@ -49,7 +51,7 @@ ColourMap coloured_squares() {
 
 template <class Field>
 void dump_image(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump,
-                const terrain::ReliefSurface* relief = nullptr) {
+                const terrain::ReliefSurface* relief = nullptr, const terrain::LakeLayer* lakes = nullptr) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
@@ -84,6 +86,14 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
   const terrain::ColourLayer colours(device, coloured_squares());
   std::optional<terrain::OpenSky> open_sky;
   terrain::TerrainAppearance rich{.sampling = {}, .colours = &colours, .relief = relief};
+  const terrain::MaterialLayer materials(
+      device, std::vector<terrain::Material>{
+                  {.like = terrain::MaterialLike::scree, .colour = {0.3, 0.2, 0.1}, .share = 0.5},
+                  {.highest_m = 20.0, .edge_m = 5.0, .gentlest_rad = 0.4}});
+  if (lakes != nullptr) {
+    rich.lakes = lakes;
+    rich.materials = &materials;
+  }
   if constexpr (std::is_same_v<Field, terrain::HeightField>) rich.open_sky = &open_sky.emplace(device, field);
   for (const terrain::TerrainAppearance& look :
        {terrain::TerrainAppearance{.sampling = {.rays = 1}, .relief = relief}, rich}) {
@@ -92,6 +102,52 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
     }
   }
+}
+
+/// Light of a lake with two waves in the map's deepest basin, on ground with materials.
+void dump_lake(const ocl::Device& device, terrain::HeightField& field, const test::HeightMap& map,
+               Dump& dump) {
+  const terrain::TerrainPosts posts{
+      .columns = map.grid.columns,
+      .rows = map.grid.rows,
+      .spacing_x_m = map.grid.spacing_x_m,
+      .spacing_z_m = map.grid.spacing_z_m,
+      .height_m =
+          [&](int column, int row) {
+            return map.heights_m[static_cast<std::size_t>(row * map.grid.columns + column)];
+          },
+      .is_void = [](int, int) { return false; }};
+  std::optional<terrain::Lake> deepest;
+  for (int row = 2; row + 2 < map.grid.rows; ++row) {
+    for (int column = 2; column + 2 < map.grid.columns; ++column) {
+      const double x_m = map.grid.spacing_x_m * column, z_m = map.grid.spacing_z_m * row;
+      const auto is_higher = [&](int across, int down) {
+        return posts.height_m(column + across, row + down) > posts.height_m(column, row);
+      };
+      if (!is_higher(1, 0) || !is_higher(-1, 0) || !is_higher(0, 1) || !is_higher(0, -1)) continue;
+      try {
+        terrain::Lake lake = terrain::fill_lake(posts, x_m, z_m, {});
+        if (!deepest || lake.volume_m3 > deepest->volume_m3) deepest = std::move(lake);
+      } catch (const Error&) {
+        // Water runs off the map from there.
+      }
+    }
+  }
+  if (!deepest) throw Error(ErrorKind::bad_usage, "the dump has no lake", "take another map");
+  const glm::dvec3 middle_m(map.grid.spacing_x_m * (deepest->first_column + 0.5 * deepest->columns),
+                            deepest->level_m,
+                            map.grid.spacing_z_m * (deepest->first_row + 0.5 * deepest->rows));
+  terrain::LakeLayer lakes(device, {std::make_shared<const terrain::Lake>(*deepest)});
+  terrain::LakeLook look;
+  look.water.ripples_xx = look.water.ripples_zz = 1e-3f;
+  look.water.attenuation_red_perm = look.water.attenuation_green_perm = look.water.attenuation_blue_perm =
+      0.2f;
+  look.waves = {{0.3f, 0.1f, 0.05f, 1.0f}, {1.0f, -0.4f, 0.03f, 2.0f}};
+  lakes.set_looks({&look, 1});
+  dump_image(
+      device, field,
+      {.eye_m = middle_m + glm::dvec3(0.0, 40.0, 60.0), .pitch_rad = -0.5, .width_px = 21, .height_px = 11},
+      dump, nullptr, &lakes);
 }
 
 /// Distances and light of ground with relief, on a map so fine that it has one level of few posts.
@@ -156,6 +212,7 @@ void write_dump(const char* path) {
   dump_image(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
              dump);
   dump_viewshed(device, field, dump);
+  dump_lake(device, field, map, dump);
   dump_relief(device, dump);
   dump_tiles(device, dump);
   dump.finish();

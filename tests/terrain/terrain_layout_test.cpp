@@ -6,6 +6,7 @@
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_light_params.h"
 #include "kernels/shared/terrain_look.h"
+#include "kernels/shared/terrain_materials.h"
 #include "kernels/shared/terrain_relief.h"
 #include "kernels/shared/terrain_sight.h"
 #include "tests/ocl/shared_layout.h"
@@ -56,6 +57,14 @@ TEST(TerrainLayoutTest, TerrainLight) {
           {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m", "swash", "still_water_m"}),
       (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm), offsetof(S, aerosol_perm),
               offsetof(S, snow_line_m), offsetof(S, swash), offsetof(S, still_water_m)}));
+}
+
+TEST(TerrainLayoutTest, TerrainMaterial) {
+  using S = TerrainMaterial;
+  EXPECT_EQ(layout_of("shared/terrain_materials.h", "TerrainMaterial",
+                      {"like", "roughness", "edge_m", "of_broad", "patches"}),
+            (Layout{sizeof(S), offsetof(S, like), offsetof(S, roughness), offsetof(S, edge_m),
+                    offsetof(S, of_broad), offsetof(S, patches)}));
 }
 
 TEST(TerrainLayoutTest, TerrainSight) {

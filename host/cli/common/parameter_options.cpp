@@ -57,6 +57,8 @@ const char* title(ParameterGroup group) {
       return "Ground";
     case ParameterGroup::height_map:
       return "Height map";
+    case ParameterGroup::material:
+      return "Materials";
     case ParameterGroup::walk:
       return "Walk";
     case ParameterGroup::lake:

@@ -80,6 +80,10 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   if constexpr (std::is_same_v<Field, terrain::HeightField>) {
     if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);
   }
+  const std::vector<terrain::Material> laid =
+      terrain::materials_of(scenery.landscape, world::landscape_lines(scenery.lines));
+  std::optional<terrain::MaterialLayer> materials;
+  if (!laid.empty()) look.materials = &materials.emplace(device, laid);
   std::optional<terrain::LakeLayer> lakes;
   if (!scenery.lakes.empty()) {
     std::vector<std::shared_ptr<const terrain::Lake>> filled;

@@ -27,6 +27,7 @@ struct TerrainScenery {
   bool sea_goes_on = false;               ///< whether a sea lies beyond the map, at the level of its water
   bool sees_horizons = true;              ///< whether ground hides the sky from ground
   std::vector<world::LakeSettings> lakes = {};
+  terrain::Landscape landscape = terrain::Landscape::plain;
   double relief = 1.0;  ///< strength of relief between posts, near the eye
 };
 

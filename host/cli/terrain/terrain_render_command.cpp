@@ -41,6 +41,7 @@ struct RenderSettings {
   double sea_level_m = 0.0;
   std::optional<double> tree_line_m, snow_line_m;
   scene::SkyVisibility sky_visibility = scene::SkyVisibility::on;
+  terrain::Landscape landscape = terrain::Landscape::plain;
   double relief = 1.0;
   int samples = 0;  ///< 0: as many as a pixel needs
   TerrainShow show = TerrainShow::light;
@@ -78,6 +79,8 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
           {scene::choice(&RenderSettings::sky_visibility, names_in_scene("terrain.sky_visibility")),
            like_scene("terrain.sky_visibility", "--sky-visibility",
                       "whether surrounding ground blocks light from the sky; off for tile stores")},
+          {scene::choice(&RenderSettings::landscape, names_in_scene("terrain.landscape")),
+           like_scene("terrain.landscape", "--landscape", "materials on the ground; plain: the usual ones")},
           {&RenderSettings::relief, like_scene("terrain.relief", "--relief")},
           {&RenderSettings::samples,
            {.key = "samples",
@@ -102,6 +105,7 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
         read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") *
         radians_per_degree;
   }
+  scenery.landscape = settings.landscape;
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   scenery.relief = settings.relief;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);

@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/io/height_maps/height_map_options.h"
 #include "host/terrain/generate/fractal_terrain.h"
+#include "host/terrain/shading/materials.h"
 
 namespace offing::scene {
 
@@ -23,7 +25,9 @@ struct TerrainScene {
   std::optional<double> tree_line_m, snow_line_m;
   std::string colour;  ///< picture of the ground from above; empty: cover by height
   SkyVisibility sky_visibility = SkyVisibility::off;
-  double relief = 1.0;  ///< strength of relief between posts, near the eye; 0: none
+  terrain::Landscape landscape = terrain::Landscape::plain;
+  std::vector<terrain::Material> materials;  ///< [[terrain.material]]: over those of the landscape
+  double relief = 1.0;                       ///< strength of relief between posts, near the eye; 0: none
 };
 
 }  // namespace offing::scene

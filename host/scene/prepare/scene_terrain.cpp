@@ -153,6 +153,14 @@ world::CoverLines cover_of(const Scene& scene, std::optional<double> latitude_de
   return lines;
 }
 
+/// Those of the scene's landscape, then its own.
+std::vector<terrain::Material> materials_of(const Scene& scene, const world::CoverLines& lines) {
+  std::vector<terrain::Material> materials =
+      terrain::materials_of(scene.terrain.landscape, world::landscape_lines(lines));
+  materials.insert(materials.end(), scene.terrain.materials.begin(), scene.terrain.materials.end());
+  return materials;
+}
+
 /// Where a scene says where a lake is.
 std::string place_of_lake(const Scene& scene, std::size_t index) {
   for (const char* key : {"lake.level_m", "lake.x_m", "lake.z_m"}) {
@@ -211,6 +219,7 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
       .colours = std::move(colours),
       .relief = scene.terrain.relief,
       .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
+  terrain.materials = materials_of(scene, terrain.lines);
   const terrain::TerrainExtent extent = terrain.extent();
   terrain.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
   terrain.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);

@@ -36,6 +36,7 @@ enum class ParameterGroup {
   render,
   terrain,
   height_map,
+  material,
   walk,
   lake,
   light,

@@ -26,6 +26,7 @@ Schema<ViewScene> sky_schema();
 Schema<BookmarkScene> bookmark_schema();
 
 Schema<TerrainScene> terrain_schema();
+Schema<terrain::Material> material_schema();
 Schema<LakeScene> lake_schema();
 Schema<LightScene> light_schema();
 Schema<MeshScene> mesh_schema();

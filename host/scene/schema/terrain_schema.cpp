@@ -6,6 +6,7 @@ namespace offing::scene {
 namespace {
 
 constexpr auto reading = &TerrainScene::reading;
+constexpr std::size_t max_materials = 32;  // each costs every pixel of the ground
 
 /// A coordinate system's name, of which "" is none.
 Where<TerrainScene> reprojections() {
@@ -246,6 +247,9 @@ std::vector<Row<TerrainScene>> place_rows() {
         .example = "orthophoto.tif",
         .absent = "none: colours by height and slope",
         .rule = ParameterRule::file_name}},
+      {choice(&TerrainScene::landscape, {"plain", "alpine", "desert", "tropical", "volcanic"}),
+       {.key = "landscape",
+        .help = "materials on the ground; plain: the usual ones. [[terrain.material]] adds more"}},
       {&TerrainScene::relief,
        {.key = "relief",
         .low = 0.0,
@@ -265,7 +269,8 @@ Schema<TerrainScene> terrain_schema() {
   Schema<TerrainScene> schema("terrain");
   return schema.rows(ParameterGroup::terrain, Affects::heights, made_rows())
       .rows(ParameterGroup::height_map, Affects::heights, file_rows())
-      .rows(ParameterGroup::terrain, Affects::cover, place_rows());
+      .rows(ParameterGroup::terrain, Affects::cover, place_rows())
+      .list(&TerrainScene::materials, max_materials, material_schema());
 }
 
 }  // namespace offing::scene

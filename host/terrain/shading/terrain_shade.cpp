@@ -68,7 +68,8 @@ TerrainShade::TerrainShade(const ocl::Device& device)
       contrast_kernel_(ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")),
       no_colours_(device, 1, "colour map"),
       no_shares_(device, 1, "shares of the sky"),
-      no_shadow_(device, 1, "shadow of clouds") {}
+      no_shadow_(device, 1, "shadow of clouds"),
+      no_materials_(device, 1, "materials of terrain") {}
 
 TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
   return {ocl::Program::build(device_, "terrain/terrain_shade.cl", defines).kernel("terrain_shade"),
@@ -122,6 +123,8 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   device_look.sea_goes_on = look.sea_goes_on ? 1 : 0;
   if (look.colours != nullptr) look.colours->describe(device_look);
   if (look.open_sky != nullptr) look.open_sky->describe(device_look);
+  device_look.material_count = look.materials != nullptr ? look.materials->count() : 0;
+  const auto& materials = look.materials != nullptr ? look.materials->materials() : no_materials_;
   const auto& colours = look.colours != nullptr ? look.colours->colours() : no_colours_;
   const auto& shares = look.open_sky != nullptr ? look.open_sky->shares() : no_shares_;
   const CloudShadowParams shadow = light.clouds != nullptr ? light.clouds->params : CloudShadowParams{};
@@ -135,7 +138,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   if (!refines_all) {
     with_extras(look, [&](const auto&... extras) {
       launch(kernels.shade, hits, light.light, light.sky, light.view_table, device_look, colours, shares,
-             shadow, shadow_map, extras..., image, edges_);
+             shadow, shadow_map, materials, extras..., image, edges_);
     });
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
@@ -144,7 +147,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   }
   with_extras(look, [&](const auto&... extras) {
     launch(kernels.refine, light.light, light.sky, light.view_table, device_look, colours, shares, shadow,
-           shadow_map, extras..., needs_, sampling.rays, image);
+           shadow_map, materials, extras..., needs_, sampling.rays, image);
   });
 }
 

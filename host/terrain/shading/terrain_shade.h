@@ -14,6 +14,7 @@
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/lakes/lake_layer.h"
 #include "host/terrain/shading/colour_layer.h"
+#include "host/terrain/shading/materials.h"
 #include "host/terrain/shading/open_sky.h"
 #include "host/terrain/tiles/tiled_field.h"
 #include "kernels/shared/cloud_shadow.h"
@@ -64,7 +65,8 @@ struct TerrainAppearance {
   const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
   SeaOverTerrain sea = {};
-  const LakeLayer* lakes = nullptr;  ///< none: there are none
+  const LakeLayer* lakes = nullptr;          ///< none: there are none
+  const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; none: there are none
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
   const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
@@ -119,6 +121,7 @@ class TerrainShade {
   ocl::Buffer<std::uint32_t> no_colours_;
   ocl::Buffer<std::uint8_t> no_shares_;
   ocl::Buffer<Texel> no_shadow_;
+  ocl::Buffer<TerrainMaterial> no_materials_;
   ocl::Buffer<std::uint8_t> needs_;  // [height_px][width_px]
   ocl::Buffer<Texel> edges_;         // the same, of terrain_shade.cl
   std::size_t pixels_ = 0;           // of the last picture

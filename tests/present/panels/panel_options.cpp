@@ -222,7 +222,8 @@ present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions u
     usual.scene = scene::parse_scene(text, "small.toml", "");
     usual.scene.ocean.parameters.size = size;
   }
-  if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::walk) {
+  if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::material ||
+      group == scene::ParameterGroup::walk) {
     usual.scene.terrain.is_given = usual.scene.ocean.is_given = true;
     usual.scene.terrain.fractal.posts = 33;
     // A scene that says where its eye is: nothing else places it.

@@ -1,0 +1,71 @@
+#include "host/scene/schema/sections.h"
+
+namespace offing::scene {
+
+using terrain::Material;
+
+Schema<Material> material_schema() {
+  Schema<Material> schema("material");
+  return schema.rows(
+      ParameterGroup::material, Affects::cover,
+      {{&Material::name,
+        {.key = "name",
+         .help = "name in the list of materials",
+         .example = "moss",
+         .absent = "none",
+         .rule = ParameterRule::name}},
+       {choice(&Material::like, {"grass", "scree", "rock", "sand"}),
+        {.key = "like", .help = "ground whose relief and pattern it has"}},
+       {&Material::colour,
+        {.key = "colour",
+         .low = 0.0,
+         .high = 1.0,
+         .help = "mean share of red, green and blue light that it reflects, linear Rec.709"}},
+       {&Material::roughness,
+        {.key = "roughness", .low = 0.0, .high = 3.0, .help = "strength of its relief: 0 smooth"}},
+       {&Material::lowest_m,
+        {.key = "lowest_m",
+         .unit = "m",
+         .low = -2e4,
+         .high = 2e4,
+         .help = "height above which it lies",
+         .example = "300",
+         .absent = "no limit"}},
+       {&Material::highest_m,
+        {.key = "highest_m",
+         .unit = "m",
+         .low = -2e4,
+         .high = 2e4,
+         .help = "height below which it lies",
+         .example = "1200",
+         .absent = "no limit"}},
+       {&Material::edge_m,
+        {.key = "edge_m",
+         .unit = "m",
+         .low = 0.01,
+         .high = 2000.0,
+         .help = "difference of height over which it ends at these heights"}},
+       {&Material::gentlest_rad,
+        {.key = "gentlest_deg",
+         .unit = "deg",
+         .low = 0.0,
+         .high = 90.0,
+         .help = "slope above which it lies, from level",
+         .scale = radians_per_degree}},
+       {&Material::steepest_rad,
+        {.key = "steepest_deg",
+         .unit = "deg",
+         .low = 0.0,
+         .high = 90.0,
+         .help = "slope below which it lies, from level",
+         .example = "35",
+         .absent = "no limit",
+         .scale = radians_per_degree}},
+       {&Material::share,
+        {.key = "share",
+         .low = 0.0,
+         .high = 1.0,
+         .help = "share of that ground that it covers, in patches"}}});
+}
+
+}  // namespace offing::scene
