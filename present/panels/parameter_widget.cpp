@@ -373,6 +373,7 @@ std::string_view words_for_key(std::string_view key) {
     std::string_view key, words;
   };
   static constexpr auto named = std::to_array<Named>({{"ocean.foam.onset_jacobian", "foam threshold"},
+                                                      {"terrain.relief", "relief near the eye"},
                                                       {"ocean.foam.width", "threshold softness"},
                                                       {"ocean.foam.fraction", "foam cover"}});
   const auto found = std::ranges::find(named, key, &Named::key);

@@ -326,13 +326,14 @@ Screen Viewer::screen() const {
 }
 
 void Viewer::move_camera(double wall_s) {
+  constexpr double longest_step_s = 0.25;  // a frame that stands still takes a held key no further
   CameraInput input = input_.take_camera_input();
   if (quit_.is_open() || files_.asks() || record_.asks()) input = {};
   if (is_on_path_ && input.moves()) leave_path();
   for (const glm::dvec2 clip : input_.take_clicks()) {
     if (pilot_.go_through(state_, sea_, clip)) leave_path();
   }
-  if (!is_on_path_) pilot_.move(state_, sea_, input, wall_s);
+  if (!is_on_path_) pilot_.move(state_, sea_, input, std::min(wall_s, longest_step_s));
 }
 
 void Viewer::pick_ray() {

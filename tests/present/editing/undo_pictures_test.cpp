@@ -67,6 +67,8 @@ side_m = 400
 mean_m = -12
 relief_m = 40
 origin_z_m = -500
+[[terrain.material]]
+name = "moss"
 [[mesh]]
 name = "ball"
 shape = "sphere"
@@ -122,7 +124,7 @@ struct ValueEdit {
   const char* text;
   bool is_seen = true;
 };
-constexpr std::array<ValueEdit, 29> value_edits{{{"wind.speed_mps", "16"},
+constexpr std::array<ValueEdit, 30> value_edits{{{"wind.speed_mps", "16"},
                                                  {"ocean.hs_m", "2"},
                                                  {"ocean.choppiness", "0.2"},
                                                  {"ocean.gerstner.count", "4"},
@@ -133,6 +135,7 @@ constexpr std::array<ValueEdit, 29> value_edits{{{"wind.speed_mps", "16"},
                                                  {"ocean.foam.fraction", "0.2", false},
                                                  {"terrain.relief_m", "90"},
                                                  {"terrain.vertical_scale", "2", false},
+                                                 {"terrain.material.share", "0.1", false},
                                                  {"walk.eye_height_m", "3", false},
                                                  {"mesh.size_m", "9"},
                                                  {"mesh.highlight.opacity", "0.3", false},

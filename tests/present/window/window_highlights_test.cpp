@@ -134,7 +134,7 @@ TEST_F(WindowHighlightsTest, TheDeleteButtonLeavesTheMesh) {
   open_egg();
   pick(id_of(0));
   press("Tab");
-  resize({1000, 300});
+  resize({1000, 500});
   click(find(main_panel(), "delete##objects", 150));
   EXPECT_EQ(state().scene.meshes.size(), 1u);
   EXPECT_EQ(message().substr(0, 30), "a highlight cannot be deleted\n");

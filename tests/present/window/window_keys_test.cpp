@@ -1,7 +1,9 @@
 // Keys and mouse of the window.
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <thread>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -184,6 +186,20 @@ TEST_F(WindowKeysTest, ControlDoesNotFlyAndAltIsSlow) {
   hands_->key("Alt_L", Hands::Motion::up);
   EXPECT_GT(moved_m.y, 0.0);
   EXPECT_LE(moved_m.y, 0.2 * state().camera.speed_mps() * lasted_s);
+}
+
+// Fails if a frame that stands still for long throws the camera as far as it would have flown meanwhile.
+TEST_F(WindowKeysTest, FramesThatStandStillMoveItLittle) {
+  open(quick_options());
+  hands_->key("e", Hands::Motion::down);
+  turn(2);
+  const glm::dvec3 before_m = state().camera.camera().eye_m;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  turn();
+  hands_->key("e", Hands::Motion::up);
+  const double moved_m = glm::length(state().camera.camera().eye_m - before_m);
+  EXPECT_GT(moved_m, 0.0);
+  EXPECT_LE(moved_m, 0.26 * state().camera.speed_mps());
 }
 
 // Fails if the camera does not follow its keyframes, keeps from the user, or key 0 does not take it back.
