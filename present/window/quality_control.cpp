@@ -6,12 +6,13 @@ namespace offing::present {
 namespace {
 
 constexpr double least_stay_s = 2.0;
-// Frames that are looked at together, whose median counts: one that stood still does not.
-constexpr double window_s = 1.0;
+// Frames that are looked at together, whose median counts: one that stood still does not, nor do the few in
+// which new light on clouds is worked out.
+constexpr double window_s = 2.0;
 constexpr std::size_t least_frames = 3;
-// A finer quality level is tried only if this much of the time is enough for it, so that quality levels do
-// not take turns.
-constexpr double safety = 0.97;
+// A finer quality level is tried only if this much of the time is enough for it. That of one that was too
+// slow is known, so that quality levels do not take turns.
+constexpr double safety = 1.0;
 // A quality level that was too slow is tried again after so long; each time that it is again, after four
 // times as long.
 constexpr double least_memory_s = 6.0, longest_memory_s = 60.0;

@@ -56,7 +56,7 @@ float start_kept_hz(const ViewOptions& options, const GlCapabilities& capabiliti
 }
 
 std::size_t start_level(const ViewOptions& options, const GlCapabilities& capabilities) {
-  constexpr double coarse_share = 0.5;
+  constexpr double coarse_share = 0.6;
   if (!capabilities.is_software || start_kept_hz(options, capabilities) == 0.0f || options.recording)
     return 0;
   const auto coarse = std::ranges::find_if(
