@@ -165,14 +165,17 @@ void World::move_meshes_with_bodies() {
 }
 
 void World::level_ground_below_meshes() {
-  if (!terrain_) return;
+  if (!terrain_ || terrain_->parameters().relief == 0.0) return;
   // What is higher above the ground than its relief flies; what is wider is a landscape of its own.
   constexpr double standing_m = 1.0, flying_m = 4.0, widest_m = 100.0;
   std::vector<terrain::LevelDisc> discs;
   for (const WorldMesh& mesh : meshes_) {
+    if (!mesh.is_visible()) continue;
     const MeshFootprint footprint = mesh.footprint_at(time_s_);
+    if (footprint.radius_m > widest_m) continue;
+    // Last, as it may read a tile.
     const auto ground = terrain_->terrain_at(footprint.middle_m.x, footprint.middle_m.y);
-    if (!mesh.is_visible() || !ground || footprint.radius_m > widest_m) continue;
+    if (!ground) continue;
     const double above_m = footprint.bottom_m - ground->height_m;
     const double share = std::clamp((flying_m - above_m) / (flying_m - standing_m), 0.0, 1.0);
     if (share > 0.0) discs.push_back({footprint.middle_m.x, footprint.middle_m.y, footprint.radius_m, share});

@@ -314,70 +314,68 @@ bool is_text(const Parameter& row) {
          std::holds_alternative<scene::ValueAt<std::vector<double>>>(row.storage);
 }
 
+struct NamedWords {
+  std::string_view name, words;
+};
+
+/// The words of a name; `absent` where it has none.
+std::string_view words_in(std::span<const NamedWords> all, std::string_view name, std::string_view absent) {
+  const auto found = std::ranges::find(all, name, &NamedWords::name);
+  return found == all.end() ? absent : found->words;
+}
+
 /// The end of a key that says the unit, as those of the table are written.
 std::string_view ending_of(std::string_view unit) {
-  struct Ending {
-    std::string_view unit, ending;
-  };
-  static constexpr auto endings = std::to_array<Ending>({{"m", "_m"},
-                                                         {"s", "_s"},
-                                                         {"deg", "_deg"},
-                                                         {"m/s", "_mps"},
-                                                         {"Hz", "_hz"},
-                                                         {"m/s^2", "_mps2"},
-                                                         {"1/m", "_per_m"},
-                                                         {"1/s", "_per_s"},
-                                                         {"kg", "_kg"},
-                                                         {"kg/m3", "_kgpm3"},
-                                                         {"N", "_n"},
-                                                         {"N/m", "_npm"},
-                                                         {"K", "_k"},
-                                                         {"Pa", "_pa"},
-                                                         {"DU", "_du"},
-                                                         {"klx", "_klx"},
-                                                         {"um", "_um"},
-                                                         {"MiB", "_mb"},
-                                                         {"m2", "_m2"},
-                                                         {"1/(m2 s)", "_per_m2s"},
-                                                         {"deg/s", "_deg_per_s"}});
-  const auto found = std::ranges::find(endings, unit, &Ending::unit);
-  return found == endings.end() ? std::string_view() : found->ending;
+  static constexpr auto endings = std::to_array<NamedWords>({{"m", "_m"},
+                                                             {"s", "_s"},
+                                                             {"deg", "_deg"},
+                                                             {"m/s", "_mps"},
+                                                             {"Hz", "_hz"},
+                                                             {"m/s^2", "_mps2"},
+                                                             {"1/m", "_per_m"},
+                                                             {"1/s", "_per_s"},
+                                                             {"kg", "_kg"},
+                                                             {"kg/m3", "_kgpm3"},
+                                                             {"N", "_n"},
+                                                             {"N/m", "_npm"},
+                                                             {"K", "_k"},
+                                                             {"Pa", "_pa"},
+                                                             {"DU", "_du"},
+                                                             {"klx", "_klx"},
+                                                             {"um", "_um"},
+                                                             {"MiB", "_mb"},
+                                                             {"m2", "_m2"},
+                                                             {"1/(m2 s)", "_per_m2s"},
+                                                             {"deg/s", "_deg_per_s"}});
+  return words_in(endings, unit, {});
 }
 
 /// What a part of a key stands for, where that is no word.
 std::string_view word_for(std::string_view part) {
-  struct Word {
-    std::string_view part, word;
-  };
-  static constexpr auto words = std::to_array<Word>({{"hs", "wave height"},
-                                                     {"tp", "peak period"},
-                                                     {"tz", "zero-crossing period"},
-                                                     {"fov", "field of view"},
-                                                     {"fps", "frames per second"},
-                                                     {"ev", "(EV)"},
-                                                     {"utc", "(UTC)"},
-                                                     {"px", "(pixels)"},
-                                                     {"min", "least"},
-                                                     {"nodata", "no-data value"},
-                                                     {"g", "asymmetry"},
-                                                     {"x", "x (east)"},
-                                                     {"y", "y (up)"},
-                                                     {"z", "z (south)"}});
-  const auto found = std::ranges::find(words, part, &Word::part);
-  return found == words.end() ? part : found->word;
+  static constexpr auto words = std::to_array<NamedWords>({{"hs", "wave height"},
+                                                           {"tp", "peak period"},
+                                                           {"tz", "zero-crossing period"},
+                                                           {"fov", "field of view"},
+                                                           {"fps", "frames per second"},
+                                                           {"ev", "(EV)"},
+                                                           {"utc", "(UTC)"},
+                                                           {"px", "(pixels)"},
+                                                           {"min", "least"},
+                                                           {"nodata", "no-data value"},
+                                                           {"g", "asymmetry"},
+                                                           {"x", "x (east)"},
+                                                           {"y", "y (up)"},
+                                                           {"z", "z (south)"}});
+  return words_in(words, part, part);
 }
 
 /// The names of values whose keys are words of another trade.
 std::string_view words_for_key(std::string_view key) {
-  struct Named {
-    std::string_view key, words;
-  };
-  static constexpr auto named = std::to_array<Named>({{"ocean.foam.onset_jacobian", "foam threshold"},
-                                                      {"terrain.relief", "relief near the eye"},
-                                                      {"ocean.foam.width", "threshold softness"},
-                                                      {"ocean.foam.fraction", "foam cover"}});
-  const auto found = std::ranges::find(named, key, &Named::key);
-  return found == named.end() ? std::string_view() : found->words;
+  static constexpr auto named = std::to_array<NamedWords>({{"ocean.foam.onset_jacobian", "foam threshold"},
+                                                           {"terrain.relief", "relief near the eye"},
+                                                           {"ocean.foam.width", "threshold softness"},
+                                                           {"ocean.foam.fraction", "foam cover"}});
+  return words_in(named, key, {});
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include "host/scene/model/body_scene.h"
 #include "host/scene/model/bookmark_scene.h"
 #include "host/scene/model/cloud_scene.h"
-#include "host/scene/model/lake_scene.h"
 #include "host/scene/model/mesh_scene.h"
 #include "host/scene/model/ocean_section.h"
 #include "host/scene/model/terrain_scene.h"

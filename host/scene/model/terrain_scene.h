@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/io/height_maps/height_map_options.h"
+#include "host/ocean/surface/water_optics.h"
 #include "host/terrain/generate/fractal_terrain.h"
 #include "host/terrain/shading/materials.h"
 
@@ -28,6 +29,16 @@ struct TerrainScene {
   terrain::Landscape landscape = terrain::Landscape::plain;
   std::vector<terrain::Material> materials;  ///< [[terrain.material]]: over those of the landscape
   double relief = 1.0;                       ///< strength of relief between posts, near the eye; 0: none
+};
+
+/// [[lake]]: still water in a basin of the terrain.
+struct LakeScene {
+  std::string name;
+  double x_m = 0.0, z_m = 0.0;    ///< a place in it
+  std::optional<double> level_m;  ///< absent: as full as its basin holds
+  double wind_speed_mps = 2.0;
+  double wind_direction_rad = 0.0;  ///< of travel, from +x toward +z
+  ocean::WaterType water = ocean::WaterType::oceanic_3;
 };
 
 }  // namespace offing::scene
