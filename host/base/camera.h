@@ -17,6 +17,8 @@ struct Camera {
   double roll_rad = 0.0;
   double vertical_field_of_view_rad = 1.0;  ///< above 0, below pi
   int width_px = 1280, height_px = 720;
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// The camera that sees what a level plane at this height mirrors for another one: its eye mirrored in the

@@ -173,6 +173,10 @@ void World::level_ground_below_meshes() {
     if (!mesh.is_visible()) continue;
     const MeshFootprint footprint = mesh.footprint_at(time_s_);
     if (footprint.radius_m > widest_m) continue;
+    const terrain::TiledField* tiles = terrain_->tiles();
+    if (tiles != nullptr &&
+        footprint.bottom_m - tiles->coarse_height_m(footprint.middle_m.x, footprint.middle_m.y) >= flying_m)
+      continue;
     // Last, as it may read a tile.
     const auto ground = terrain_->terrain_at(footprint.middle_m.x, footprint.middle_m.y);
     if (!ground) continue;

@@ -5,6 +5,9 @@
 #include <span>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
 #include "host/terrain/cast/image_rays.h"
 #include "host/terrain/tiles/tile_posts.h"
 #include "host/terrain/walk/relief_height.h"
@@ -208,21 +211,50 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
   }
 }
 
+bool WorldTerrain::rises_near(const Camera& camera, double shore_m) {
+  const glm::dvec2 spacing_m(posts_.spacing_x_m, posts_.spacing_z_m);
+  const glm::dvec2 from_first_m(camera.eye_m.x - parameters_.origin_x_m,
+                                camera.eye_m.z - parameters_.origin_z_m);
+  const glm::ivec2 last(posts_.columns - 1, posts_.rows - 1);
+  const glm::ivec2 post(glm::clamp(glm::floor(from_first_m / spacing_m), glm::dvec2(0.0), glm::dvec2(last)));
+  if (post != near_.post) {
+    const double reach_m = terrain::relief_levels(last.x, last.y, spacing_m.x, spacing_m.y).reach_m;
+    const glm::ivec2 reach = glm::ivec2(glm::ceil(reach_m / spacing_m)) + 1;
+    const glm::ivec2 begin = glm::max(post - reach, glm::ivec2(0)), end = glm::min(post + reach, last);
+    near_ = {post, -std::numeric_limits<float>::infinity()};
+    for (int row = begin.y; row <= end.y; ++row) {
+      for (int column = begin.x; column <= end.x; ++column)
+        near_.height_m = std::max(near_.height_m, posts_.height_m(column, row));
+    }
+  }
+  return near_.height_m > shore_m;
+}
+
+void WorldTerrain::lay_relief(const Camera& camera) {
+  terrain::ReliefSettings settings = relief_settings();
+  if (tiles_) {
+    // Of tiles, nothing is waited for: their coarsest level is nowhere below the ground.
+    const double above_m = camera.eye_m.y - tiles_->coarse_height_m(camera.eye_m.x, camera.eye_m.z);
+    relief_.at(*tiles_, camera, above_m, settings);
+    return;
+  }
+  if (settings.strength > 0.0 && !rises_near(camera, settings.shore_m)) settings.strength = 0.0;
+  const ReliefView view{camera, std::move(settings)};
+  if (laid_ == view) return;
+  laid_.reset();
+  const std::optional<terrain::TerrainPoint> below = terrain_at(camera.eye_m.x, camera.eye_m.z);
+  const double above_m = below ? camera.eye_m.y - below->height_m : std::numeric_limits<double>::infinity();
+  relief_.at(*field_, camera, above_m, view.settings);
+  laid_ = view;
+}
+
 void WorldTerrain::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLighting& light,
                       const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverTerrain& sea) {
   is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
   if (!is_in_reach_) return;
   if (tiles_ && wait == TileWait::all) tiles_->look_and_wait(camera);
   if (tiles_ && wait == TileWait::none) tiles_->look(camera, tiles_ahead_m);
-  // Of tiles, nothing is waited for: their coarsest level is nowhere below the ground.
-  const std::optional<terrain::TerrainPoint> below =
-      field_ ? terrain_at(camera.eye_m.x, camera.eye_m.z) : std::nullopt;
-  const double terrain_m = tiles_ ? tiles_->coarse_height_m(camera.eye_m.x, camera.eye_m.z)
-                                  : (below ? below->height_m : -std::numeric_limits<double>::infinity());
-  const double above_m = camera.eye_m.y - terrain_m;
-  const terrain::ReliefSettings relief = relief_settings();
-  if (field_) relief_.at(*field_, camera, above_m, relief);
-  if (tiles_) relief_.at(*tiles_, camera, above_m, relief);
+  lay_relief(camera);
   paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, sea, image_);
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "host/base/camera.h"
 #include "host/base/colour_map.h"
 #include "host/base/height_map.h"
@@ -94,6 +96,8 @@ class WorldTerrain {
   const terrain::HeightField* field() const { return field_ ? &*field_ : nullptr; }
   /// nullptr where it is not.
   const terrain::TiledField* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
+  /// That of the last at().
+  const terrain::ReliefSurface& relief() const { return relief_; }
   /// What a ray hits first, of tiles those of the last at().
   terrain::RayHit cast(const terrain::Ray& ray);
   /// From now on relief leaves these discs of the world level.
@@ -141,6 +145,18 @@ class WorldTerrain {
   const TerrainImage* mirrored() const { return is_mirrored_ ? &mirrored_ : nullptr; }
 
  private:
+  /// What the relief of a map was laid for.
+  struct ReliefView {
+    Camera camera;
+    terrain::ReliefSettings settings;
+
+    bool operator==(const ReliefView&) const = default;
+  };
+
+  /// Lays the relief that a camera sees, unless it lies there.
+  void lay_relief(const Camera& camera);
+  /// Whether ground that may have relief, seen by this camera, rises above its shore.
+  bool rises_near(const Camera& camera, double shore_m);
   terrain::TerrainAppearance look_of(const terrain::Sampling& sampling,
                                      const terrain::SeaOverTerrain& sea) const;
   void make_lakes(const TerrainParameters& parameters);
@@ -159,6 +175,12 @@ class WorldTerrain {
   terrain::HitPlanes hit_planes_;
   terrain::MirroredCast mirrored_cast_;
   terrain::ReliefSurface relief_;  // of the eye of the last at()
+  std::optional<ReliefView> laid_;
+  /// The highest post of the map near a post.
+  struct {
+    glm::ivec2 post{-1};
+    float height_m = 0.0f;
+  } near_;
   std::vector<terrain::LevelDisc> level_discs_;
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;

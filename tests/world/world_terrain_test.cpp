@@ -89,6 +89,51 @@ TEST_F(WorldTerrainTest, MeshesStandOnLevelGround) {
   EXPECT_TRUE(world.terrain()->relief_settings().discs.empty());
 }
 
+// Relief ends at the shore: where all ground within its reach, some 150 m, is below, there is none to lay.
+// Fails if it is laid there, or is missing where ground rises at that distance.
+TEST_F(WorldTerrainTest, LaysReliefWhereGroundRisesAboveTheShore) {
+  WorldParameters dry = parameters();
+  Camera at_foot = camera();
+  at_foot.eye_m = {300.0, 14.0, 3.0};
+  const auto is_laid = [&](double beach_line_m, double x_m) {
+    dry.terrain->lines.beach_line_m = beach_line_m;
+    World world(device_, dry);
+    at_foot.eye_m.x = x_m;
+    world.at(0.0, at_foot.eye_m.y);
+    world.see_terrain(at_foot);
+    return world.terrain()->relief().is_laid();
+  };
+  EXPECT_TRUE(is_laid(0.0, 300.0));
+  EXPECT_TRUE(is_laid(50.0, 300.0));
+  EXPECT_FALSE(is_laid(65.0, 300.0));
+  EXPECT_TRUE(is_laid(65.0, 200.0));
+  EXPECT_FALSE(is_laid(110.0, 0.0));
+}
+
+// Fails if relief that lies there is kept for another view, strength or mesh.
+TEST_F(WorldTerrainTest, LaysReliefAnewWhereTheViewChanges) {
+  WorldParameters dry = parameters();
+  Camera standing = camera();
+  standing.eye_m = {100.0, 74.0, 3.0};
+  const auto heights_m = [&](World& world, const Camera& seen) {
+    world.at(0.0, seen.eye_m.y);
+    world.see_terrain(seen);
+    return world.terrain()->relief().heights_m().read();
+  };
+  World world(device_, dry);
+  const auto first = heights_m(world, standing);
+  Camera turned = standing;
+  turned.yaw_rad += 1.0;
+  EXPECT_NE(heights_m(world, turned), first);
+  EXPECT_EQ(heights_m(world, standing), first);
+  dry.terrain->relief = 0.5;
+  world.set_terrain(dry.terrain);
+  EXPECT_NE(heights_m(world, standing), first);
+  dry.terrain->relief = 1.0;
+  world.set_terrain(dry.terrain);
+  EXPECT_EQ(heights_m(world, standing), first);
+}
+
 // Fails if planes or image are not of the hits, pixel by pixel.
 TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   World world(device_, parameters());
