@@ -8,7 +8,8 @@ struct LightLag {
   /// The sky is that of the nearest of fixed heights, so far apart as a share of themselves.
   double altitude_share = 0.01;
   /// Clouds are lit at every so many'th of their steps of time, 1 or more; from 2 on those that drift as one
-  /// keep their shapes in between too.
+  /// keep their shapes in between too, and new light on clouds that only moved takes one part a call of
+  /// WorldClouds::light().
   int cloud_steps = 1;
   /// New light on clouds is spread over this many calls of WorldClouds::light() at most, 1 or more; until it is
   /// whole the old light stays.

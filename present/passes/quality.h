@@ -47,7 +47,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .cloud_halvings = side_share > 0.7 ? 0 : (side_share > 0.5 ? 1 : 2),
           .most_wake_steps = wake_steps_of_frame,
           .light_lag = {.altitude_share = 0.05,
-                        .cloud_steps = 4,
+                        .cloud_steps = 12,
                         .cloud_light_frames = 8,
                         .cloud_rad = 0.01,
                         .cloud_parts = 8}};

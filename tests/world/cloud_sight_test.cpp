@@ -212,6 +212,33 @@ TEST(WorldClouds, WorksOutLightOverFrames) {
   EXPECT_EQ(seen_at(view, 2.5, evening), at_night_fall);
 }
 
+// Fails if clouds that lag and only moved are lit in bursts, or if another light on them has to wait for
+// that.
+TEST(WorldClouds, LightsMovedCloudsPartByPart) {
+  WorldClouds view(device(), windy_clouds(0.5));
+  view.set_light_lag({.cloud_steps = 4, .cloud_light_frames = 3});
+  clouds::CloudIllumination evening = daylight();
+  evening.suns[0].direction = {0.8, 0.6, 0.0};
+  const auto lit = [&](double time_s, const clouds::CloudIllumination& light) {
+    view.at(time_s);
+    view.light(light);
+    return view.illumination()[0].suns[0].direction;
+  };
+  const auto frames_of_shadow = [&](double time_s) {
+    view.cast_shadow();
+    int frames = 0;
+    while (view.shadow() != nullptr && frames < 100) lit(time_s, daylight()), ++frames;
+    return frames;
+  };
+  lit(2.0, daylight());
+  const int frames = frames_of_shadow(4.0);
+  EXPECT_GT(frames, 8);
+  EXPECT_LT(frames, 100);
+  for (int frame = 1; frame <= 5; ++frame) EXPECT_EQ(lit(6.0, daylight()), daylight().suns[0].direction);
+  for (int frame = 1; frame <= 2; ++frame) EXPECT_EQ(lit(6.0, evening), daylight().suns[0].direction);
+  EXPECT_EQ(lit(6.0, evening), evening.suns[0].direction);
+}
+
 // Fails if clouds jump in the frame in which their light is whole, or if what interrupts it leaves light of
 // before.
 TEST(WorldClouds, CarriesCloudsWhileTheirLightIsWorkedOut) {
