@@ -321,7 +321,7 @@ TEST_F(TerrainQuery, FillsALake) {
   const ProgramResult half = fill({"--level-m", "55", "-o", path("pit.geojson")});
   ASSERT_EQ(half.exit_code, 0) << half.errors;
   EXPECT_THAT(half.output, testing::StartsWith("level 55.000 m, area "));
-  EXPECT_THAT(half.output, testing::HasSubstr("full at 60.000 m"));
+  EXPECT_THAT(half.output, testing::HasSubstr("spill level 60.000 m"));
   std::ifstream written(path("pit.geojson"));
   const auto outline = nlohmann::json::parse(written)["features"][0];
   EXPECT_EQ(outline["geometry"]["coordinates"][0].size(), 5u);

@@ -57,7 +57,7 @@ void add_import_command(CLI::App& scene, GlobalOptions& options) {
   };
   add("-o,--output", arguments->output, "SCENE", "scene file to write (.toml)")->required();
   add("--camera", arguments->choice.camera, "NAME",
-      "camera of the scene; default: the first. Others become bookmarks");
+      "camera to use; default: the first. The others become bookmarks");
   arguments->choice_flags.add_to(
       *command,
       {{&scene::GltfChoice::animation, like_scene("mesh.animation", "--animation")},
@@ -68,8 +68,9 @@ void add_import_command(CLI::App& scene, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-The scene names the file as its mesh, which deforms as the file says. Camera and lights get keyframes. With
-lights, the sun stands below the horizon. What a scene cannot have is listed as a warning, such as materials.
+The file becomes a mesh of the scene and deforms as its animation says. The camera and lights that move get
+keyframes. If the file has lights, the sun is put below the horizon. Warnings list what a scene cannot have,
+such as materials.
 
 Example:
   offing scene import walk.glb -o walk.toml)");

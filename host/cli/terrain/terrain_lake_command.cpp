@@ -85,7 +85,7 @@ void run(const TerrainLakeArguments& arguments) {
   } else {
     fmt::print("level {:.3f} m, area {:.6g} m2, volume {:.6g} m3, greatest depth {:.3f} m\n", lake.level_m,
                lake.area_m2, lake.volume_m3, lake.greatest_depth_m);
-    fmt::print("full at {:.3f} m, where it spills: {}\n", lake.spill_level_m,
+    fmt::print("spill level {:.3f} m, at {}\n", lake.spill_level_m,
                system.text({rounded(lake.spill_m.x), rounded(lake.spill_m.y)}, rounded(lake.spill_level_m)));
   }
 }
@@ -111,9 +111,8 @@ void add_terrain_lake_command(CLI::App& terrain, GlobalOptions& options) {
   add_force_flag(*command, arguments->existing);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(fmt::format(
-      "\n{}\nThe lake is all ground below the level that is joined to the place by such ground. Above its "
-      "spill "
-      "level\nit would run off the map.\n\nExamples:\n"
+      "\n{}\nThe lake covers all ground below the level that is connected to the place. Above the spill "
+      "level, water\nwould run off the map.\n\nExamples:\n"
       "  offing terrain lake S33W071.tif --at 47000,55000\n"
       "  offing terrain lake S33W071.tif --crs lonlat --at -70.3,-32.8 --level-m 2700 -o lake.geojson",
       place_footer));

@@ -80,7 +80,7 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
            like_scene("terrain.sky_visibility", "--sky-visibility",
                       "whether surrounding ground blocks light from the sky; off for tile stores")},
           {scene::choice(&RenderSettings::landscape, names_in_scene("terrain.landscape")),
-           like_scene("terrain.landscape", "--landscape", "materials on the ground; plain: the usual ones")},
+           like_scene("terrain.landscape", "--landscape", "set of materials on the ground")},
           {&RenderSettings::relief, like_scene("terrain.relief", "--relief")},
           {&RenderSettings::samples,
            {.key = "samples",

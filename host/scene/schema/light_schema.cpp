@@ -59,7 +59,7 @@ Schema<LightScene> light_schema() {
          .unit = "m",
          .low = -1e7,
          .high = 1e7,
-         .help = "height, as heights of the terrain",
+         .help = "height, from the same zero as terrain heights",
          .motion = keyed},
         needs_place},
        {path(place, &glm::dvec3::z),

@@ -23,7 +23,7 @@ std::vector<Row<Camera>> camera_rows() {
             .unit = "m",
             .low = -deepest_m,
             .high = 50e3,
-            .help = "height of the eye, as heights of the terrain; the sea is at world.sea_level_m",
+            .help = "height of the eye, from the same zero as terrain heights",
             .motion = keyed}},
           {path(eye, &glm::dvec3::z),
            {.key = "z_m",
