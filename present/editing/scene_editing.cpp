@@ -92,7 +92,7 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change)
     const std::vector<std::string> on_land = bodies_on_land(sea_, state_.scene);
     if (on_land.size() > before)
       news +=
-          fmt::format("\n{} on land now: move it to water, or move the terrain", fmt::join(on_land, ", "));
+          fmt::format("\non land now: {}; move it to water, or move the terrain", fmt::join(on_land, ", "));
     if (!state_.message.text.empty()) news += '\n' + state_.message.text;
     state_.message = {.text = std::move(news)};
     return Edit::none;
@@ -273,7 +273,7 @@ void SceneEditing::do_to_object(const ObjectEdit& edit, const Screen& screen) {
   if (edit.kind == ObjectEdit::Kind::stop_floating) {
     make([&](scene::Scene& scene) {
       stop_floating(scene, edit.object.index);
-      return std::string("it stands where it floated at its start");
+      return std::string("its meshes stay where it started");
     });
     if (!state_.message.is_fault) deselect_objects(state_);
     return;

@@ -247,7 +247,7 @@ void FileDialog::draw_name() {
 }
 
 void FileDialog::draw_answers() {
-  ImGui::Text("%s is there already.", one_line(asked_.filename().string()).c_str());
+  ImGui::Text("%s exists already.", one_line(asked_.filename().string()).c_str());
   const auto answer = [&](const char* label, bool is_chosen) {
     if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
     const bool is_clicked = ImGui::Button(label);

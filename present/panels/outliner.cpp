@@ -190,7 +190,7 @@ bool draw_arrow(float width_px, bool has_to_be_open) {
   is_open = is_open || has_to_be_open;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##open", {width_px, height})) is_open = !is_open;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_open ? "close" : "hull, what is aboard, and wakes");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_open ? "close" : "show hull, meshes aboard and wakes");
   ImGui::SameLine(0.0f, 0.0f);
   const ImVec2 middle(corner.x + 0.6f * em, corner.y + 0.5f * height);
   const float side = 0.28f * em;
@@ -307,7 +307,7 @@ void draw_object_values(ViewState& state, const SceneObject& object, PanelEdits&
   if (ImGui::Button("stop floating"))
     edits.object = ObjectEdit{.kind = ObjectEdit::Kind::stop_floating, .object = object};
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("the meshes stay where the body floats at its start; its wakes go");
+    ImGui::SetTooltip("removes the body and its wakes; its meshes stay where it starts");
 }
 
 /// Below the selected object.

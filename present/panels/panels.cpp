@@ -200,7 +200,7 @@ bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_s
 /// What the search finds: by names, else by what is said of values.
 void draw_search_results(ViewState& state, PanelEdits& edits) {
   if (draw_found(state, edits, is_found)) return;
-  if (!draw_found(state, edits, is_found_in_help)) ImGui::TextDisabled("nothing is found");
+  if (!draw_found(state, edits, is_found_in_help)) ImGui::TextDisabled("no value found");
 }
 
 void draw_terrain_view(ViewState& state) {
@@ -256,7 +256,7 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;
   ImGui::SliderFloat("hold frame rate", &state.kept_hz, 0.0f, 120.0f,
-                     state.kept_hz > 0.0f ? "%.0f, coarser if slow" : "no, full quality",
+                     state.kept_hz > 0.0f ? "%.0f, coarser if slow" : "off, full quality",
                      ImGuiSliderFlags_AlwaysClamp);
   if (state.kept_hz > 0.0f) {
     const Quality& now = facts.quality;
@@ -349,7 +349,7 @@ void draw_values_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edi
   ImGui::PopItemWidth();
   edits.wants_original = ImGui::Button("undo all edits");
   ImGui::SameLine();
-  ImGui::TextDisabled("Tab: without panels");
+  ImGui::TextDisabled("Tab: hide panels");
   ImGui::End();
 }
 

@@ -14,8 +14,7 @@ namespace offing::present {
 
 void RecordActions::open() {
   if (options_.recording || is_recording()) {
-    state_.message = {.text = "one recording runs at a time: wait for its end, or cancel it",
-                      .is_fault = true};
+    state_.message = {.text = "a recording is running: wait until it ends, or cancel it", .is_fault = true};
     return;
   }
   const scene::TimeSection& time = state_.scene.time;
@@ -35,8 +34,8 @@ void RecordActions::open() {
 void RecordActions::refuse_taken(const Recording& recording) const {
   const auto refuse = [&](const std::filesystem::path& file) {
     if (!is_taken(file)) return;
-    throw Error(ErrorKind::bad_usage, fmt::format("{} is there already", one_line(file.filename().string())),
-                "choose another name, or let it be replaced");
+    throw Error(ErrorKind::bad_usage, fmt::format("{} exists already", one_line(file.filename().string())),
+                "choose another name, or tick \"replace existing files\"");
   };
   if (recording.existing == Existing::replace) return;
   if (!recording.name) return refuse(recording.video);
@@ -91,10 +90,10 @@ void RecordActions::turn() {
       state_.message = fault_message(error);
     } else if (recording.video.empty()) {
       const int written = job->progress().written;
-      state_.message = {
-          .text = fmt::format("cancelled: {} of {} pictures are written", written, recording.count())};
+      state_.message = {.text =
+                            fmt::format("cancelled: wrote {} of {} pictures", written, recording.count())};
     } else {
-      state_.message = {.text = "cancelled: no video is written"};
+      state_.message = {.text = "cancelled: wrote no video"};
     }
   }
 }

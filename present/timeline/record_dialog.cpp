@@ -50,7 +50,7 @@ Recording recording_of(const RecordingRequest& request) {
   if (!(first >= 0.0 && last >= first && last <= last_frame)) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("expected frames 0 to {:.0f}, found {:.0f} to {:.0f}", last_frame, first, last),
-                "record more than no seconds, from 0 s on");
+                "record more than 0 s, and start at 0 s or later");
   }
   const std::string name =
       std::filesystem::absolute(FileBrowser().at(request.name)).string() + name_ending_of(request.format);
@@ -119,11 +119,11 @@ void RecordDialog::draw_size(ImageSize window) {
 void RecordDialog::draw_range(double now_s) {
   if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::InputDouble("seconds", &request_.seconds, 0.0, 0.0, "%.6g");
-  explain_item("from where the window sees now, or along the keyframes of the camera");
+  explain_item("the camera stays where it is now, or follows its keyframes");
   ImGui::InputDouble("start, s", &request_.start_s, 0.0, 0.0, "%.6g");
   ImGui::SameLine();
   if (ImGui::SmallButton("now")) request_.start_s = now_s;
-  explain_item("from the time that the window shows");
+  explain_item("start at the time that the window shows");
   ImGui::InputDouble("frames/s", &request_.frames_per_second, 0.0, 0.0, "%.6g");
 }
 
@@ -161,7 +161,7 @@ bool RecordDialog::draw(ImageSize window, double now_s) {
   draw_size(window);
   bool is_high = request_.detail == Detail::high;
   if (ImGui::Checkbox("high detail", &is_high)) request_.detail = is_high ? Detail::high : Detail::low;
-  explain_item("all detail of water and ground; without: coarser, and faster where the CPU draws");
+  explain_item("full detail of water and ground; without it, coarser, and faster where the CPU draws");
   draw_name();
   ImGui::PushStyleColor(ImGuiCol_Text, fault_colour());
   if (!fault_.empty()) ImGui::TextUnformatted(fault_.c_str());
@@ -176,10 +176,8 @@ bool RecordDialog::draw(ImageSize window, double now_s) {
   if (is_wanted) fault_.clear();
   if (is_wanted && std::max(request_.size.width, request_.size.height) > longest_px_) {
     is_wanted = false;
-    refuse(
-        fmt::format("expected a width and a height of at most {} pixels, which is what this device draws, "
-                    "found {} x {}",
-                    longest_px_, request_.size.width, request_.size.height));
+    refuse(fmt::format("expected at most {} pixels for width and height on this device, found {} x {}",
+                       longest_px_, request_.size.width, request_.size.height));
   }
   if (!is_open_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -56,7 +56,7 @@ void draw_controls(const scene::TimeSection& time, SceneClock& clock, Timeline& 
                    .c_str());
   ImGui::SameLine();
   ImGui::Checkbox("loop", &timeline.loops);
-  draw_tooltip("play the scene's time span over and over");
+  draw_tooltip("repeat the scene's time span (L)");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(5.0f * em);
   auto scale = static_cast<float>(clock.scale());
@@ -71,7 +71,7 @@ bool draw_record_button(bool is_recording) {
   ImGui::BeginDisabled(is_recording);
   const bool is_wanted = ImGui::Button(label);
   ImGui::EndDisabled();
-  draw_tooltip("pictures or a video of the scene (Ctrl R)");
+  draw_tooltip("record pictures or a video of the scene (Ctrl R)");
   return is_wanted;
 }
 
@@ -85,7 +85,7 @@ std::string time_left(double seconds) {
 /// How far a recording is, and whether it is to end.
 bool draw_recording(const RecordingProgress& progress) {
   constexpr const char* label = "cancel##recording";
-  std::string text = "preparing the scene to be recorded";
+  std::string text = "preparing the recording";
   if (progress.has_begun) text = fmt::format("recorded {} of {} frames", progress.written, progress.count);
   if (progress.written > 0) text += fmt::format(", {} left", time_left(progress.left_s));
   const float button = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;

@@ -385,7 +385,7 @@ void Viewer::reset_camera() {
 void Viewer::look_at_selected() {
   const std::optional<Sphere> place = editing_.selected_place(screen());
   if (!place) {
-    state_.message = {.text = "nothing is selected that has a place"};
+    state_.message = {.text = "nothing with a place is selected"};
     return;
   }
   leave_path();

@@ -98,7 +98,7 @@ TEST_F(SceneCommands, ImportMakesASceneOfAGltf) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output, file + ": no mesh files, 3 lights, no bookmarks, 3 values with keyframes, 1 s\n");
   for (const char* const what :
-       {"1 parallel cameras", "1 cones of spots", "1 ranges of lights", "1 materials"})
+       {"1 orthographic cameras", "1 cones of spot lights", "1 ranges of lights", "1 materials"})
     EXPECT_THAT(result.errors, HasSubstr("pan.glb: left out: " + std::string(what) + "\n"));
   EXPECT_EQ(run_offing({"scene", "check", file}).output, file + ": no errors, no warnings\n");
   EXPECT_THAT(run_offing({"scene", "import", glb, "-o", file}).errors, HasSubstr("--force"));

@@ -114,7 +114,7 @@ TEST_F(GltfImport, RefusesWhatIsNotThere) {
   EXPECT_THAT(refusal(stage, {.camera = "shop"}),
               HasSubstr("expected a camera \"shop\", got none of this name"));
   EXPECT_THAT(refusal(stage, {.animation = "walk"}), HasSubstr("an animation \"walk\", got \"pan\""));
-  EXPECT_THAT(refusal(stage, {.frames_per_s = 20000.0}), HasSubstr("an animation of less than 10000 frames"));
+  EXPECT_THAT(refusal(stage, {.frames_per_s = 20000.0}), HasSubstr("an animation of fewer than 10000 frames"));
   std::ofstream(folder_.path() / "far.gltf")
       << R"({"asset":{"version":"2.0"},"cameras":[{"perspective":{"yfov":1}}],)"
       << R"("nodes":[{"camera":0,"translation":[0,1e9,0]}]})";

@@ -243,7 +243,7 @@ class GltfParser {
   std::vector<double> weights_of(const json& object) const {
     const auto weights = object.find("weights");
     if (weights == object.end()) return {};
-    if (!weights->is_array()) document_.fail("a list weights", weights->type_name());
+    if (!weights->is_array()) document_.fail("a list \"weights\"", weights->type_name());
     return document_.numbers(object, "weights", weights->size());
   }
 
@@ -303,7 +303,8 @@ class GltfParser {
       if (attributes->contains("COLOR_0")) soup_.leave_out("colours of vertices", count);
       if (attributes->contains("TEXCOORD_0")) soup_.leave_out("texture coordinates of vertices", count);
       vertex_count_ += count;
-      if (vertex_count_ > most_vertices) document_.fail("fewer vertices", "more");
+      if (vertex_count_ > most_vertices)
+        document_.fail(fmt::format("at most {} vertices", most_vertices), "more");
       normal_count_ += vertices->normals.size();
       if (vertices->normals.size() != count) have_all_normals_ = false;
     }
@@ -357,7 +358,7 @@ class GltfParser {
     static const json none = json::array();
     const auto targets = primitive.find("targets");
     if (targets == primitive.end()) return none;
-    if (!targets->is_array()) document_.fail("a list targets", targets->type_name());
+    if (!targets->is_array()) document_.fail("a list \"targets\"", targets->type_name());
     for (const json& target : *targets) {
       if (!target.is_object()) document_.fail("objects as targets", target.type_name());
     }
@@ -392,7 +393,8 @@ class GltfParser {
       if (vectors[i] != glm::dvec3(0.0)) ways.emplace_back(i, vectors[i]);
     }
     way_count_ += ways.size();
-    if (way_count_ > 4 * document_.bytes()) document_.fail("morphs of less than 4 vertices per byte", "more");
+    if (way_count_ > 4 * document_.bytes())
+      document_.fail("morphs of fewer than 4 vertices per byte", "more");
     return ways;
   }
 
@@ -435,7 +437,8 @@ class GltfParser {
       for (std::size_t k = first; k < vertices.influences.size(); ++k)
         vertices.influences[k].weight =
             static_cast<float>(static_cast<double>(vertices.influences[k].weight) / sum);
-      if (vertices.influences.size() > most_vertices) document_.fail("fewer joints of vertices", "more");
+      if (vertices.influences.size() > most_vertices)
+        document_.fail(fmt::format("at most {} joints of vertices", most_vertices), "more");
       vertices.first_influences.push_back(static_cast<std::uint32_t>(vertices.influences.size()));
     }
   }
@@ -444,7 +447,7 @@ class GltfParser {
   void grow(std::size_t count) {
     corners_ += count;
     if (corners_ / most_corners_a_byte > document_.bytes()) {
-      document_.fail("a scene of less than 1000 corners per byte", "more");
+      document_.fail("a scene of fewer than 1000 corners per byte", "more");
     }
   }
 

@@ -44,7 +44,7 @@ std::vector<std::size_t> GltfScene::indices(const json& object, const char* key)
   std::vector<std::size_t> indices;
   const auto list = object.find(key);
   if (list == object.end()) return indices;
-  if (!list->is_array()) document_->fail(fmt::format("a list {}", key), list->type_name());
+  if (!list->is_array()) document_->fail(fmt::format("a list \"{}\"", key), list->type_name());
   for (const json& index : *list) {
     if (!index.is_number_unsigned()) document_->fail(fmt::format("numbers in {}", key), shown(index));
     indices.push_back(index.get<std::size_t>());
@@ -139,7 +139,7 @@ bool GltfScene::read_animation(std::size_t index, const LeaveOut& leave_out) {
     const std::string path = text_of(*target, "path");
     const auto known = std::find(path_names.begin(), path_names.end(), path);
     if (known == path_names.end() || !target->contains("node")) {
-      leave_out("animation channels of other things than nodes", 1);
+      leave_out("animation channels of things other than nodes", 1);
       continue;
     }
     const auto which = static_cast<std::size_t>(known - path_names.begin());
@@ -184,8 +184,7 @@ GltfScene::Sampler GltfScene::sampler(const json& animation, const json& channel
       numbers(document_->whole(object, "output", std::nullopt), type, std::max<std::size_t>(width, 1));
   const std::vector<double>& times_s = *made.times_s;
   if (times_s.empty() || !std::is_sorted(times_s.begin(), times_s.end()) || times_s.front() < 0.0)
-    document_->fail(fmt::format("times that rise from 0 on in {}", name),
-                    times_s.empty() ? "none" : "others");
+    document_->fail(fmt::format("times that rise from 0 in {}", name), times_s.empty() ? "none" : "others");
   const std::size_t values = (made.kind == Kind::cubic ? 3 : 1) * times_s.size();
   made.width = width > 0 ? width : made.numbers->size() / values;
   if (made.width == 0 || made.numbers->size() != values * made.width)
@@ -206,7 +205,7 @@ std::shared_ptr<const std::vector<double>> GltfScene::numbers(std::size_t access
   if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
     document_->fail(fmt::format("finite numbers in accessors[{}]", accessor), "others");
   held_ += values.size();
-  if (held_ > 4 * document_->bytes()) document_->fail("animations of less than 4 numbers per byte", "more");
+  if (held_ > 4 * document_->bytes()) document_->fail("animations of fewer than 4 numbers per byte", "more");
   known = std::make_shared<const std::vector<double>>(std::move(values));
   return known;
 }

@@ -85,7 +85,7 @@ class StageParser {
     const json& camera = document_.object("cameras", which);
     const auto perspective = camera.find("perspective");
     if (perspective == camera.end() || !perspective->is_object()) {
-      leave_out("parallel cameras", 1);
+      leave_out("orthographic cameras", 1);
       return;
     }
     const double yfov_rad = number(*perspective, "yfov", std::nullopt);
@@ -114,10 +114,10 @@ class StageParser {
     made.intensity = number(light, "intensity", 1.0);
     for (const double part : {made.colour.x, made.colour.y, made.colour.z, made.intensity}) {
       if (part < 0.0)
-        document_.fail(fmt::format("colour and intensity from 0 on in lights[{}]", which),
+        document_.fail(fmt::format("colour and intensity of at least 0 in lights[{}]", which),
                        fmt::format("{:g}", part));
     }
-    if (type == "spot") leave_out("cones of spots", 1);
+    if (type == "spot") leave_out("cones of spot lights", 1);
     if (light.contains("range")) leave_out("ranges of lights", 1);
     stage_.lights.push_back(std::move(made));
   }

@@ -138,7 +138,7 @@ MeshFile read_mesh_sequence(const std::filesystem::path& name, double frames_per
   for (const auto& [number, file] : numbered) {
     if (const int expected = numbered.begin()->first + static_cast<int>(files.size()); number != expected)
       fail(fmt::format("none for {}", expected),
-           "export the missing files, or move those after it elsewhere");
+           "export the missing files, or move the later ones to another folder");
     require_beside(name, file, trust);
     files.push_back(file);
   }

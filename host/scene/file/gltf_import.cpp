@@ -119,13 +119,14 @@ class GltfImporter {
     // A last frame that rounding takes behind a whole number is that one.
     const double frames = std::ceil(end_s * choice_.frames_per_s - 1e-6);
     if (frames >= static_cast<double>(most_keyframes)) {
-      fail(fmt::format("an animation of less than {} frames", most_keyframes), fmt::format("{:.0f}", frames),
+      fail(fmt::format("an animation of fewer than {} frames", most_keyframes), fmt::format("{:.0f}", frames),
            "take fewer of them: --fps 1");
     }
     if (end_s > 0.0) imported_.scene.time.end_s = end_s;
     constexpr double most_matrices = 1e8;  // some ten seconds
     if (frames * static_cast<double>(stage_.nodes->nodes().size()) > most_matrices)
-      fail("fewer frames of fewer nodes", fmt::format("{:.0f} of {}", frames, stage_.nodes->nodes().size()),
+      fail(fmt::format("at most {:g} frames times nodes", most_matrices),
+           fmt::format("{:.0f} frames of {} nodes", frames, stage_.nodes->nodes().size()),
            "take fewer frames: --fps 1");
     std::vector<std::size_t> nodes;
     for (const meshes::GltfCamera& camera : stage_.cameras) nodes.push_back(camera.node);
@@ -228,7 +229,7 @@ class GltfImporter {
   }
 
   void leave_out_light_beyond() {
-    constexpr const char* what = "intensities of lights beyond 1000 klx";
+    constexpr const char* what = "illuminances of lights above 1000 klx";
     const auto found = std::ranges::find(imported_.left_out, what, &LeftOut::what);
     if (found == imported_.left_out.end()) {
       imported_.left_out.push_back({what, 1});

@@ -67,7 +67,8 @@ TEST(GltfStage, HasCamerasAndLights) {
   EXPECT_EQ(stage.lights[1].intensity, 90.0);
   EXPECT_EQ(stage.lights[2].intensity, 1.0);
   EXPECT_EQ(stage.lights[2].node, 5u);
-  for (const char* const what : {"parallel cameras", "cones of spots", "ranges of lights", "materials"})
+  for (const char* const what :
+       {"orthographic cameras", "cones of spot lights", "ranges of lights", "materials"})
     EXPECT_EQ(left_out(stage, what), 1u) << what;
 }
 

@@ -314,7 +314,7 @@ TEST_F(UndoPicturesTest, BoatsOnLandAreReported) {
   EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << state_.message.text;
   editing_->undo();
   open_plain(40);
-  EXPECT_NE(state_.message.text.find("boat on land now"), std::string::npos) << state_.message.text;
+  EXPECT_NE(state_.message.text.find("on land now: boat"), std::string::npos) << state_.message.text;
 }
 
 /// A bowl of 240 m with a rim 20 m above its floor, and a camera that looks into it.

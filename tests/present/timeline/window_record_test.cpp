@@ -213,10 +213,10 @@ TEST_F(WindowRecordTest, RunsInTheBackgroundAndIsCancelled) {
   EXPECT_FALSE(asks_to_quit());
   EXPECT_TRUE(viewer_->is_recording());
   press_with_control("r");
-  EXPECT_THAT(message(), HasSubstr("one recording runs at a time"));
+  EXPECT_THAT(message(), HasSubstr("a recording is running"));
   click(find(timeline(), "cancel##recording", 440));
   wait_for_end();
-  EXPECT_EQ(message(), "cancelled: no video is written");
+  EXPECT_EQ(message(), "cancelled: wrote no video");
   EXPECT_THAT(files(), testing::IsEmpty());
   EXPECT_TRUE(viewer_->turn());
 }

@@ -100,7 +100,7 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
        [](const auto&, const auto& b) {
          return b.camera.camera().eye_m == quick_options().scene.view.camera.eye_m;
        }},
-      {ViewAction::look_at_selected, says("nothing is selected that has a place")},
+      {ViewAction::look_at_selected, says("nothing with a place is selected")},
       {ViewAction::set_keyframes, says("no highlight is picked")},
       {ViewAction::next_cloud_pick, says("clicks on clouds pick")},
       {ViewAction::place_ball, says("clicks place balls")},

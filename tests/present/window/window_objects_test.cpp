@@ -181,7 +181,7 @@ TEST_F(WindowObjectsTest, TheCameraLooksAtWhatIsSelected) {
   click(row({ObjectKind::sky, 0}));
   const Camera before = state().camera.camera();
   press("x");
-  EXPECT_EQ(message(), "nothing is selected that has a place");
+  EXPECT_EQ(message(), "nothing with a place is selected");
   EXPECT_EQ(state().camera.camera().eye_m, before.eye_m);
   click(row({ObjectKind::mesh, 1}));
   click(find(main_panel(), "look at##objects", 230));
