@@ -583,18 +583,19 @@ OffingStatus offing_read_point_attribute(const OffingPointFile* points, const ch
 /** Water in a basin, as offing_fill_lake() finds it. */
 typedef struct OffingLake {
   size_t size;                 /**< sizeof(OffingLake) */
-  double level_m;              /**< of the water */
-  double spill_level_m;        /**< above it the water would run off the map */
-  double spill_x_m, spill_z_m; /**< where it would */
+  double level_m;              /**< height of the water */
+  double spill_level_m;        /**< above this level water runs off the map */
+  double spill_x_m, spill_z_m; /**< place where it does */
   double area_m2;              /**< of the surface */
   double volume_m3, greatest_depth_m;
-  uint64_t outline_count; /**< places of the outline, which the next call has to have room for */
+  uint64_t outline_count; /**< number of places of the outline: room to give to the next call */
 } OffingLake;
-/** Fills the basin around (x_m, z_m) with water up to a level; NULL: until it is full. `lake` describes it.
+/** Fills the basin around (x_m, z_m) with water up to a level; with NULL, up to its spill level. `lake`
+ * describes the result.
  *
- * depth_m [count] gets the depth at each post, 0 beside the lake; count is rows * columns, or 0 with NULL.
+ * depth_m [count] gets the depth at each post, 0 outside the lake; count is rows * columns, or 0 with NULL.
  * outline_m [outline_count][2] gets x and z of the shore in m: closed rings, the outer one first, then
- * islands. Two NaN stand between rings. With NULL and 0, only `lake` tells how many places there are. */
+ * islands. A pair of NaN separates rings. To ask only for the number of places, pass NULL and 0. */
 OffingStatus offing_fill_lake(OffingTerrain* terrain, double x_m, double z_m, const double* level_m,
                               OffingLake* lake, float* depth_m, size_t count, double* outline_m,
                               size_t outline_count);

@@ -20,10 +20,10 @@ struct LakeSettings {
   bool operator==(const LakeSettings&) const = default;
 };
 
-/// What a lake looks like from an eye (x, y, z) m of axes whose origin stays, in this light. Its waves are
-/// those that the wind raises over a way as long as the lake is wide: as many octaves as there are from the
-/// longest down to 15 cm have equal shares of the slopes measured in such a wind (Cox & Munk 1954), and
-/// ripples have the rest. Without wind the water is a mirror.
+/// What a lake looks like in this light from an eye (x, y, z) m, in fixed axes. The longest waves are those
+/// that the wind raises over a fetch as long as the lake is wide. The octaves from them down to 15 cm have
+/// equal shares of the slope variance measured in such a wind (Cox & Munk 1954), and ripples have the rest.
+/// Without wind the water is a mirror.
 terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& eye_m, double time_s,
                                const sky::Illuminance& light, double sun_rise);
 

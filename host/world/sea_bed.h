@@ -12,7 +12,7 @@ namespace offing::world {
 /// reading tiles throws.
 ocean::DepthMap sea_bed(const TerrainParameters& terrain, double sea_level_m = 0.0);
 
-/// The mean slope of a bed where the waterline crosses it, by cells; 0 where it does nowhere.
+/// The mean slope of the cells of a bed that the waterline crosses; 0 if there are none.
 double beach_slope(const ocean::DepthMap& bed);
 
 }  // namespace offing::world

@@ -23,7 +23,7 @@ struct CoverLines {
 /// are off by up to 1 km.
 CoverLines cover_lines(double latitude_deg);
 
-/// What a landscape with these lines has.
+/// The lines of a landscape.
 terrain::LandscapeLines landscape_lines(const CoverLines& lines);
 
 /// Relief of ground with these lines.

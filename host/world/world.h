@@ -36,7 +36,7 @@ struct WorldParameters {
   bool has_sea = true;  ///< without one, all down to the wind says nothing
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
-  double sea_level_m = 0.0;  ///< of the still sea, among the heights of all else; 0 without one
+  double sea_level_m = 0.0;  ///< of the still sea, from the zero of terrain heights; 0 without a sea
   bool has_shoals = true;    ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
   ocean::Wind wind = {};  ///< over the ripples that the spectrum or its maps leave out
@@ -154,7 +154,7 @@ class World {
   void set_sea(const WorldParameters& parameters);
   /// Changes the colour and the clearness of the water.
   void set_water(ocean::WaterType water) { parameters_.water = water; }
-  /// Raises or lowers the sea, with what floats on it.
+  /// Raises or lowers the sea and what floats on it.
   void set_sea_level(double level_m);
   /// Changes the ground; other heights or another place make it anew. Throws what WorldTerrain throws.
   void set_terrain(const std::optional<TerrainParameters>& terrain);
@@ -167,10 +167,9 @@ class World {
   /// none does. Throws what WorldBodies throws.
   void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s,
                   const std::vector<std::optional<std::size_t>>& before = {});
-  /// The bodies with all that they remember, for keep_bodies(); none in a world without bodies.
+  /// The bodies with their history, for keep_bodies(); none in a world without bodies.
   std::shared_ptr<WorldBodies> shared_bodies() const { return bodies_; }
-  /// Puts bodies of an earlier world that had the same parameters in the place of those here, and leaves them
-  /// where they are.
+  /// Replaces the bodies by those of an earlier world with the same parameters, which go on where they are.
   void keep_bodies(std::shared_ptr<WorldBodies> bodies);
   /// The same bodies where they are now, whose meshes have other numbers.
   void renumber_body_meshes(const std::vector<BodySettings>& bodies);
@@ -215,8 +214,8 @@ class World {
   /// deep to be felt, or where waves are not to shoal.
   const std::shared_ptr<const ocean::Shoals>& shoals() const { return shoals_; }
 
-  /// What waves wash up and down the shores; none where the sea is open or no waterline crosses the ground.
-  /// Pictures alone have it.
+  /// Water that washes up and down the shores, for pictures only; none where the sea is open or no waterline
+  /// crosses the ground.
   const std::optional<ocean::Swash>& swash() const { return swash_; }
 
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
@@ -233,7 +232,7 @@ class World {
     return {parameters_.spectrum, parameters_.ocean, parameters_.wind, shoals_, parameters_.sea_level_m};
   }
   void move_meshes_with_bodies();
-  /// Relief of the ground ends where meshes stand on it, so that none floats or sinks.
+  /// Removes relief of the ground where meshes stand on it, so that none floats or sinks.
   void level_ground_below_meshes();
   void look_at_sky(double eye_height_m);
   /// On the ground that this camera sees.

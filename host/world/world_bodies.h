@@ -78,7 +78,8 @@ struct BodySea {
   ocean::OceanParameters ocean;
   ocean::Wind wind = {};
   std::shared_ptr<const ocean::Shoals> shoals = {};
-  double level_m = 0.0;  ///< bodies count heights from it; those who ask get heights of the world
+  double level_m =
+      0.0;  ///< inside, heights are from this level; pose() and motions give heights of the world
 };
 
 class WorldBodies;

@@ -100,10 +100,10 @@ class WorldTerrain {
   const terrain::ReliefSurface& relief() const { return relief_; }
   /// What a ray hits first, of tiles those of the last at().
   terrain::RayHit cast(const terrain::Ray& ray);
-  /// From now on relief leaves these discs of the world level.
+  /// From now on there is no relief within these discs (x, z of the world).
   void set_level_discs(std::vector<terrain::LevelDisc> discs);
   terrain::ReliefSettings relief_settings() const;
-  /// Metres by which the ground is drawn higher there, near an eye that stands on it; 0 beyond the map's
+  /// Metres by which relief raises the drawn ground there, for an eye that stands on it; 0 beyond the map's
   /// edge.
   double relief_m(double x_m, double z_m) const;
   /// The ground above or below a point of the world; nothing beyond the map's edge.
@@ -111,10 +111,10 @@ class WorldTerrain {
 
   /// The same with lakes over the ground.
   std::optional<double> surface_m(double x_m, double z_m) const;
-  /// The place at which a ray that hits ground so far away goes through a lake's surface before; nothing
-  /// where it does not.
+  /// Where a ray that hits ground at this distance crosses the surface of a lake before; nothing if it
+  /// crosses none.
   std::optional<glm::dvec3> water_before(const terrain::Ray& ray, double distance_m) const;
-  /// What lakes' waves show from now on.
+  /// The time of the waves of lakes from now on.
   void set_time(double time_s) { time_s_ = time_s; }
 
   /// Enqueues what this camera sees under a sky whose eye is the camera's: nothing from where no rays reach

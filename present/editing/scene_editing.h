@@ -59,7 +59,7 @@ class SceneEditing {
   /// the screen shows it.
   void remove_picked();
   void duplicate_picked(const Screen& screen);
-  /// Adds or renames an object, or has a body stand still. What is new is selected.
+  /// Adds or renames an object, or removes a body from its meshes. A new object is selected.
   void do_to_object(const ObjectEdit& edit, const Screen& screen);
 
   /// Draws handles behind the panels.

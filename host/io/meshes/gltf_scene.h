@@ -25,7 +25,7 @@ using LeaveOut = std::function<void(std::string_view what, std::size_t count)>;
 /// steps, linear and by cubics (glTF 2.0, appendix C). Its own copy: the document may go.
 class GltfScene {
  public:
-  /// `animation` is the name of one; empty: all of them, of which the first that moves a value counts. Throws
+  /// `animation` is the name of one; empty: all, and the first one that moves a value counts. Throws
   /// Error(bad_input) where the nodes are no tree, and for an animation that is not there or damaged.
   GltfScene(const GltfDocument& document, const std::string& animation, const LeaveOut& leave_out);
 

@@ -29,7 +29,7 @@ struct GltfLight {
   std::size_t node = 0;
   bool is_directional = false;
   glm::dvec3 colour{1.0};  ///< linear Rec.709
-  double intensity = 1.0;  ///< lx of a directional one, cd of one at a place
+  double intensity = 1.0;  ///< lx of a directional light, else cd
 };
 
 /// What a glTF has for a picture besides its meshes.
@@ -42,8 +42,8 @@ struct GltfStage {
 };
 
 /// Cameras and lights of the scene of a .gltf or .glb, with what moves them. `animation` is that of
-/// GltfScene. Parallel cameras, the cones of spots, the ranges of lights, materials and textures are left out
-/// and counted. Throws as parse_gltf(), which reads the meshes.
+/// GltfScene. Orthographic cameras, the cones of spot lights, the ranges of lights, materials and textures
+/// are left out and counted. Throws as parse_gltf(), which reads the meshes.
 GltfStage parse_gltf_stage(std::string_view bytes, const std::filesystem::path& path,
                            Trust trust = Trust::trusted, const std::string& animation = "");
 

@@ -16,11 +16,11 @@ struct OpenSea {
   double direction_rad = 0.0;     ///< of travel
 };
 
-/// Water that waves wash up and down the shores of a sea, all of one slope: how high its edge stands over
-/// still water. Set-up, swash and the height that two of a hundred waves reach are those of Stockdon, Holman,
-/// Howd & Sallenger 2006 (equations 10 to 12, 19), of the height and the peak period of the open sea. The
-/// edge is a sum of six waves about the peak frequency, that come in as the sea travels, and two slow ones of
-/// the surf beat. For pictures: no wave of the sea itself knows of it.
+/// Water that waves wash up and down the shores of a sea, all of one slope: the height of its edge above
+/// still water. Set-up, swash and the height that two of a hundred waves reach follow Stockdon, Holman,
+/// Howd & Sallenger 2006 (equations 10 to 12, 19), from the height and the peak period of the open sea. The
+/// edge is a sum of six waves near the peak frequency, which travel with the sea, and two slow ones of
+/// the surf beat. For pictures only: the waves of the sea do not depend on it.
 class Swash {
  public:
   /// `direction_rad` is that of the sea's travel. There is none where the sea has no waves.
@@ -31,7 +31,7 @@ class Swash {
   double setup_m() const { return setup_m_; }
   /// What two of a hundred waves reach.
   double reach_m() const { return reach_m_; }
-  /// How far the edge is from still water at most.
+  /// Greatest distance of the edge from still water.
   double farthest_m() const;
   /// Height of the edge.
   double level_m(double x_m, double z_m, double time_s) const;

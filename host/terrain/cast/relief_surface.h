@@ -22,16 +22,16 @@ class TiledField;
 /// Ground without relief, under something that stands on it.
 struct LevelDisc {
   double x_m = 0.0, z_m = 0.0;  ///< from the first post
-  double radius_m = 1.0;        ///< relief begins beside it, and is whole ramp_m() farther away
+  double radius_m = 1.0;        ///< relief begins at this radius, and is complete ramp_m() farther out
   double share = 1.0;           ///< 0: relief is as elsewhere
 
   double ramp_m() const { return 1.5 + 0.5 * radius_m; }
   bool operator==(const LevelDisc&) const = default;
 };
 
-/// Relief of the ground between its posts, as far as pictures show it.
+/// Relief that pictures show between the posts of the ground.
 struct ReliefSettings {
-  double strength = 1.0;                              ///< 0 none, 1 as the light on it has it
+  double strength = 1.0;                              ///< 0 none, 1 that of the shaded normals
   double shore_m = -1e30;                             ///< there is none at or below this height
   double tree_line_m = 2000.0, snow_line_m = 2800.0;  ///< m; stones lie above the first
   std::vector<LevelDisc> discs = {};
@@ -39,33 +39,33 @@ struct ReliefSettings {
   bool operator==(const ReliefSettings&) const = default;
 };
 
-/// The levels of relief of a map: their posts are spaced four times as far as those of the level before.
+/// The levels of relief of a map. The spacing of posts is four times that of the level before.
 struct ReliefLevels {
-  int count = 0;         ///< 0: its posts are too close for any
+  int count = 0;         ///< 0: posts of the map are already that close
   int finest_log2 = 0;   ///< the first has 2^finest_log2 steps to a cell of the map
   double reach_m = 0.0;  ///< there is no relief farther from the eye
 };
 ReliefLevels relief_levels(int cells_x, int cells_z, double spacing_x_m, double spacing_z_m);
 
-/// The ground that is drawn near an eye: the surface of a field with relief between its posts, some hundred
-/// metres around. Only pictures know it; all answers are those of the field. Near a camera that is above the
-/// field's surface there is none that would hide everything from it.
+/// The ground that is drawn near an eye: the surface of a field with relief between its posts, within some
+/// hundred metres. Only pictures use it; queries use the field. A camera above the field's surface is never
+/// inside the relief.
 ///
-/// It is laid in up to three levels of posts around the eye, bilinear between them, the first with posts two
-/// decimetres apart, and fades out with the distance, the finer octaves first (shared/terrain_relief.h).
+/// It has up to three levels of posts around the eye, bilinear between posts; those of the first level are
+/// two decimetres apart. Relief fades out with the distance, finer octaves first (shared/terrain_relief.h).
 class ReliefSurface {
  public:
   /// Throws what programs throw.
   explicit ReliefSurface(const ocl::Device& device);
 
-  /// Enqueues the surface that a camera sees, of a field that is not kept; beside the picture it is the
-  /// field's own. There is none where the eye is not over the map, or `above_m` above its ground and that too
-  /// far. Throws what device_view() throws.
+  /// Enqueues the surface that a camera sees; it keeps no reference to the field. Outside the picture it is
+  /// the field's own surface. There is no relief where the eye is off the map, or too high above the ground
+  /// (`above_m`). Throws what device_view() throws.
   void at(const HeightField& field, const Camera& camera, double above_m, const ReliefSettings& settings);
-  /// The same of the tiles of the last look(). There is none where a map repeats or mirrors.
+  /// The same with the tiles of the last look(). Maps that repeat or mirror have no relief.
   void at(const TiledField& field, const Camera& camera, double above_m, const ReliefSettings& settings);
 
-  /// Whether the last at() laid any; if not, the field is drawn as it is.
+  /// Whether the last at() made any relief; if not, the field is drawn as it is.
   bool is_laid() const { return params_.levels > 0; }
   const TerrainRelief& params() const { return params_; }
   const ocl::Buffer<float>& heights_m() const { return heights_m_; }

@@ -11,12 +11,12 @@
 
 namespace offing::terrain {
 
-/// Still water in a basin of the ground: all ground below a level that is joined to a place by such ground.
+/// Still water in a basin of the ground: it covers all ground below its level that is connected to a place.
 /// The ground is the surface of bilinear patches that rays hit.
 struct Lake {
   double level_m = 0.0;
-  double spill_level_m = 0.0;  ///< above this level the water would run off the map
-  glm::dvec2 spill_m{};        ///< where it would, (x, z) from the first post
+  double spill_level_m = 0.0;  ///< above this level water runs off the map
+  glm::dvec2 spill_m{};        ///< where it does, (x, z) from the first post
   /// A box of posts, with dry ones on all sides.
   int first_column = 0, first_row = 0, columns = 0, rows = 0;
   std::vector<std::uint8_t> is_wet = {};  ///< [rows][columns]: posts in the lake
@@ -27,13 +27,13 @@ struct Lake {
   bool is_wet_at(int column, int row) const;
 };
 
-/// The lake at (x_m, z_m) from the map's first post. Without a level it is full: at its spill level. `name`
-/// begins the messages of Error(bad_input), which is thrown for a place off the map, for dry ground, for a
+/// The lake at (x_m, z_m) from the map's first post. Without a level it is full, up to its spill level.
+/// Throws Error(bad_input), whose message begins with `name`, for a place off the map, for dry ground, for a
 /// place whose water runs off the map, and for a level above the spill level.
 Lake fill_lake(const TerrainPosts& posts, double x_m, double z_m, std::optional<double> level_m,
                std::string_view name = "lake");
 
-/// The depth of a lake's water at (x_m, z_m); 0 beside it.
+/// The depth of a lake's water at (x_m, z_m); 0 outside.
 double depth_of_lake(const Lake& lake, const TerrainPosts& posts, double x_m, double z_m);
 
 /// The shore as closed rings of places (x, z) m from the first post, each first place again at the end. The

@@ -16,7 +16,7 @@ namespace offing::terrain {
 
 /// What a lake looks like at one time, from one place.
 struct LakeLook {
-  LakeWater water{};  ///< ripples and colours; LakeLayer enters the rest
+  LakeWater water{};  ///< ripples and colours; LakeLayer fills in the rest
   std::vector<LakeWave> waves;
 };
 
@@ -26,7 +26,7 @@ class LakeLayer {
   /// Throws what programs and buffers throw. One lake at least.
   LakeLayer(const ocl::Device& device, const std::vector<std::shared_ptr<const Lake>>& lakes);
 
-  /// What they look like from now on, in their order.
+  /// Sets what they look like from now on, in their order.
   void set_looks(std::span<const LakeLook> looks);
 
   int count() const { return static_cast<int>(boxes_.size()); }
@@ -34,7 +34,7 @@ class LakeLayer {
   const ocl::Buffer<std::uint8_t>& cells() const { return cells_; }
   const ocl::Buffer<LakeWave>& waves() const { return waves_; }
 
-  /// Enqueues that distances of a camera's hits [height_px][width_px] become those of the lakes before them.
+  /// Replaces the distances of a camera's hits [height_px][width_px] by those of lakes in front; enqueued.
   void stand_before(const TerrainField& field, const TerrainView& view, const ocl::Buffer<TerrainHit>& hits,
                     ocl::Buffer<float>& distances_m) const;
 

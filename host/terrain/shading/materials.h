@@ -14,17 +14,17 @@
 
 namespace offing::terrain {
 
-/// Whose relief and pattern a material has.
+/// The ground whose relief and pattern a material has.
 enum class MaterialLike { grass, scree, rock, sand };
 
-/// What lies on ground of some heights and slopes, over the ground's own cover.
+/// A material over the ground's own cover, between heights and between slopes.
 struct Material {
   std::string name = {};
   MaterialLike like = MaterialLike::rock;
   glm::dvec3 colour{0.2};                               ///< mean diffuse albedo, linear Rec.709
   double roughness = 1.0;                               ///< strength of its relief
   std::optional<double> lowest_m = {}, highest_m = {};  ///< heights between which it lies; absent: no limit
-  double edge_m = 10.0;                                 ///< difference of height in which it ends there
+  double edge_m = 10.0;                                 ///< height difference over which it fades out there
   double gentlest_rad = 0.0;                            ///< slopes between which it lies, from level
   std::optional<double> steepest_rad = {};              ///< absent: no limit
   double share = 1.0;                                   ///< of that ground, in patches

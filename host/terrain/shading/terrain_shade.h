@@ -65,7 +65,7 @@ struct TerrainAppearance {
   const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
   SeaOverTerrain sea = {};
-  const LakeLayer* lakes = nullptr;          ///< none: there are none
+  const LakeLayer* lakes = nullptr;          ///< nullptr: none
   const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; none: there are none
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;

@@ -7,8 +7,8 @@
 
 namespace offing::terrain {
 
-/// Metres by which the ground is drawn higher than it is at (x_m, z_m) from the first post, for an eye at
-/// this place: what a ReliefSurface has at a post there, but for its bowl. 0 beyond the map's edge.
+/// Metres by which relief raises the drawn ground at (x_m, z_m) from the first post, for an eye at `eye_m`:
+/// what a ReliefSurface adds at a post there, without its bowl. 0 beyond the map's edge.
 double relief_height_m(const TerrainPosts& posts, const ReliefSettings& settings, double x_m, double z_m,
                        const glm::dvec3& eye_m);
 

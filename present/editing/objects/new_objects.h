@@ -27,7 +27,7 @@ struct AddedObject {
   std::string news;
 };
 
-/// Of a boat beyond those whose wakes a scene can have.
+/// Ends the message about a boat that gets no wake, as the scene has as many as it can.
 inline constexpr const char* no_room_for_wake = ", without a wake: the scene takes no more wakes";
 
 /// Adds an object at a place, of a size that shows well from there. A boat is a hull with a body, an engine

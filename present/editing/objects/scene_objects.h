@@ -62,10 +62,10 @@ std::optional<std::size_t> hull_of_body(const scene::Scene& scene, std::size_t b
 bool can_be_removed(const scene::Scene& scene, const SceneObject& object);
 bool can_be_duplicated(const SceneObject& object);
 
-/// Takes an object away with what cannot be without it: with a body or its hull all that belongs to them.
+/// Removes an object with what depends on it: with a body or its hull all parts of the body.
 /// Throws Error(bad_usage) for what cannot be removed.
 void remove_object(scene::Scene& scene, const SceneObject& object);
-/// Takes a body and its wakes away, but leaves its meshes where it floats upright at its start.
+/// Removes a body and its wakes, and leaves its meshes where it floats upright at its start.
 void stop_floating(scene::Scene& scene, std::size_t body);
 
 /// The same again, `way_m` beside it, with its keyframes and a name of its own; a body or its hull with
@@ -74,9 +74,9 @@ void stop_floating(scene::Scene& scene, std::size_t body);
 /// there is only one of.
 SceneObject duplicate_object(scene::Scene& scene, const SceneObject& object, const glm::dvec3& way_m);
 
-/// Gives it another name, and tells all that refer to it by its name; the hull of a body that has a name of
-/// its own by that of the body, such as "boat hull", gets another one too. Throws Error(bad_input) for what
-/// no name can be, for one that another of its kind has, and for an empty one where others refer to it.
+/// Gives an object another name, also wherever the scene refers to it. A hull with a name that follows the
+/// body's, such as "boat hull", is renamed with the body. Throws Error(bad_input) for a text that cannot be a
+/// name, for one that another of its kind has, and for an empty one where others refer to it.
 void rename_object(scene::Scene& scene, const SceneObject& object, const std::string& name);
 
 /// Whether the scene takes one more wake window.
