@@ -181,13 +181,13 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, ShownGround gro
   vec4 seen = vec4(bed_kcdpm2, 1.0);
   if (is_beneath) {
     seen = is_sharp ? vec4(shifted_ground.light, 1.0) : textureLod(beneath_light, beneath_uv(shifted_place), 0.0);
-  } else if (HAS_SHOALS == 1 && !(straight.w > 0.0 && down_m == surface_m.y - straight.y)) {
-    // Shallows that the pictures do not show, far away or beside them, are sand.
-    place = vec4(surface_m + broken * (down_m / max(-broken.y, 0.3)), 1.0);
   } else if (straight.w > 0.0) {
     place = straight;
     is_sharp = ground.place.w > 0.0 && straight == ground.place;
     seen = is_sharp ? vec4(ground.light, 1.0) : textureLod(beneath_light, beneath_uv(clip_place), 0.0);
+  } else if (HAS_SHOALS == 1) {
+    // Shallows that the pictures do not show, far away or beside them, are sand.
+    place = vec4(surface_m + broken * (down_m / max(-broken.y, 0.3)), 1.0);
   } else {
     return deep_kcdpm2;
   }
