@@ -78,8 +78,7 @@ struct BodySea {
   ocean::OceanParameters ocean;
   ocean::Wind wind = {};
   std::shared_ptr<const ocean::Shoals> shoals = {};
-  double level_m =
-      0.0;  ///< inside, heights are from this level; pose() and motions give heights of the world
+  double level_m = 0.0;  ///< heights are from it; pose() and motion_of_hull() give those of the world
 };
 
 class WorldBodies;

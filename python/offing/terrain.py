@@ -68,13 +68,13 @@ class SightCounts(NamedTuple):
 class Lake(NamedTuple):
     """Water in a basin of a terrain."""
 
-    level_m: float  # of the water
-    spill_level_m: float  # above it the water would run off the map
-    spill_m: tuple[float, float]  # x and z of where it would
+    level_m: float  # height of the water
+    spill_level_m: float  # above this level water runs off the map
+    spill_m: tuple[float, float]  # x and z of the place where it does
     area_m2: float  # of the surface
     volume_m3: float
     greatest_depth_m: float
-    depth_m: np.ndarray  # [rows, columns], 0 beside the lake
+    depth_m: np.ndarray  # [rows, columns], 0 outside the lake
     shore_m: list[np.ndarray]  # closed rings [k, 2] of x and z: the outer one first, then islands
 
 
@@ -204,8 +204,8 @@ class Terrain:
         return SightCounts(*self._terrain.count_viewsheds(points_m, settings, earth_radius_m, refraction, best, progress))
 
     def fill_lake(self, x_m: float, z_m: float, *, level_m: float | None = None) -> Lake:
-        """The Lake around a place, up to a level. Without level_m it is as full as its basin holds. A place on a slope that
-        drains off the map has none, and a level above the spill level is refused."""
+        """The Lake around a place, filled up to level_m; without it, up to the spill level. Raises an error for a place on a
+        slope that drains off the map, and for a level above the spill level."""
         *values, outline_m = self._terrain.fill_lake(x_m, z_m, level_m)
         is_break = np.isnan(outline_m[:, 0])
         rings = np.split(outline_m, np.flatnonzero(is_break))

@@ -1,8 +1,7 @@
 // What blender_import_test.py compares an imported scene with, as JSON.
 //   imported_scene_dump pixels SCENE INPUT      pixels of places of the world that INPUT lists by frame
-//   imported_scene_dump highlights SCENE INPUT  highlights of a mesh whose forms INPUT lists by frame: the
-//   C++
-//                                               interface, without a reader of files
+//   imported_scene_dump highlights SCENE INPUT  highlights of a mesh whose forms INPUT lists by frame, by the
+//                                               C++ interface without a reader of files
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

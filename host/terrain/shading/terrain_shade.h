@@ -66,7 +66,7 @@ struct TerrainAppearance {
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
   SeaOverTerrain sea = {};
   const LakeLayer* lakes = nullptr;          ///< nullptr: none
-  const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; none: there are none
+  const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; nullptr: none
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
   const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
