@@ -362,7 +362,7 @@ TEST_F(SceneTerrainTest, RefusesLakesThatCannotBe) {
   EXPECT_THAT(fault("[[lake]]\nx_m = -20\nlevel_m = 2\n"), HasSubstr("expected a level above the ground"));
   EXPECT_THAT(fault("[[lake]]\nx_m = 900\n"), HasSubstr("lake.x_m: expected a place on the map"));
   EXPECT_THAT(fault("[[lake]]\nx_m = -35\nz_m = 15\n"), HasSubstr("from where water runs off the map"));
-  EXPECT_THAT(fault("[[lake]]\nx_m = -20\n[[lake]]\nx_m = 20\n"), HasSubstr("found water of lake 1 there"));
+  EXPECT_THAT(fault("[[lake]]\nx_m = -20\n[[lake]]\nx_m = 20\n"), HasSubstr("found lake 1"));
   EXPECT_THAT(fault("[[lake]]\nx_m = -20\nlevel_m = 5\n[ocean]\n[world]\nsea_level_m = 5.5\n"),
               HasSubstr("lake.level_m: expected a level above the sea, 5.5 m, found 5 m"));
 }

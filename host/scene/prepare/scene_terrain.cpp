@@ -200,7 +200,7 @@ std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::Terra
     for (std::size_t j = 0; j < i; ++j) {
       if (!terrain::overlap(*lakes[j].lake, *lake.lake)) continue;
       throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: expected a lake of its own, found water of lake {} there", place, j + 1),
+                  fmt::format("{}: expected no other lake there, found lake {}", place, j + 1),
                   "remove one of them");
     }
   }

@@ -186,9 +186,9 @@ void require_wet(std::string_view name, const glm::dvec2& place_m, double ground
   if (spill.height_m <= ground_m) {
     refuse_lake(
         name,
-        fmt::format("a place in a basin, found {}, from where water runs off the map: its ground, {:.7g} "
-                    "m, is above all ways out",
-                    place, ground_m),
+        fmt::format(
+            "a place in a basin, found {}, from where water runs off the map (its ground is at {:.7g} m)",
+            place, ground_m),
         "choose a place at the bottom of a hollow");
   }
   if (level_m && *level_m <= ground_m) {
@@ -203,7 +203,7 @@ void require_wet(std::string_view name, const glm::dvec2& place_m, double ground
         fmt::format("a level up to its spill level, {:.7g} m, found {:.7g} m, at which water runs off "
                     "the map",
                     spill.height_m, *level_m),
-        "leave the level out: the lake is then full");
+        "leave out the level to fill the lake up to there");
   }
 }
 
