@@ -172,15 +172,23 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, ShownGround gro
   float down_m = max(still_depth_m(surface_m.xz + lit.label_shift_m) + surface_m.y + view.eye_height_m, 0.0);
   if (straight.w > 0.0) down_m = min(down_m, max(surface_m.y - straight.y, 0.0));
   if (down_m > 1.0e6) return deep_kcdpm2;
-  vec3 shifted_place = clip_of(surface_m + broken * (down_m / max(-broken.y, 0.3)));
+  vec3 bed_m = surface_m + broken * (down_m / max(-broken.y, 0.3));
+  vec3 shifted_place = clip_of(bed_m);
   ShownGround shifted_ground = shown_ground_at(shifted_place.xy);
   is_sharp = is_sharp && shifted_ground.place.w > 0.0 && shifted_ground.place.y < surface_m.y;
   vec4 place = is_sharp ? shifted_ground.place : beneath_at(shifted_place);
   // Not what stands out of the water, or before it.
   bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(water.views_margin)));
+#if HAS_SHOALS
+  // Nor the bed far out, past a beach that hides the bed here.
+  is_beneath = is_beneath && !(distance(place.xz, surface_m.xz) > 2.0 * (surface_m.y - place.y) && place.y < bed_m.y - 0.5);
+#endif
   vec4 seen = vec4(bed_kcdpm2, 1.0);
   if (is_beneath) {
     seen = is_sharp ? vec4(shifted_ground.light, 1.0) : textureLod(beneath_light, beneath_uv(shifted_place), 0.0);
+  } else if (HAS_SHOALS == 1 && !(straight.w > 0.0 && down_m == surface_m.y - straight.y)) {
+    // Shallows that the pictures do not show, far away or beside them, are sand.
+    place = vec4(bed_m, 1.0);
   } else if (straight.w > 0.0) {
     place = straight;
     is_sharp = ground.place.w > 0.0 && straight == ground.place;
