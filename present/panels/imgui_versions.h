@@ -57,7 +57,10 @@ inline bool has_glyph(ImFont& font, ImWchar letter) {
 #endif
 }
 
-/// Whether keys or clicks wait for later frames: since 1.87 a frame takes one of several that came at once.
+/// Since 1.87 keys and clicks that came at once wait, and a frame takes one of them.
+inline constexpr bool imgui_keeps_input = IMGUI_VERSION_NUM >= 18700;
+
+/// Whether some wait.
 inline bool has_waiting_input() {
 #if IMGUI_VERSION_NUM < 18700
   return false;

@@ -35,17 +35,20 @@ float monitor_scale(GLFWwindow* window) {
 PanelLayer::PanelLayer(GLFWwindow* window, std::optional<double> scale) : window_(window), scale_(scale) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  if (window != nullptr && !imgui_keeps_input) keys_.emplace(window);
   const bool has_events = window == nullptr || ImGui_ImplGlfw_InitForOpenGL(window, true);
   if (!has_events || !ImGui_ImplOpenGL3_Init("#version 330 core")) {
     throw Error(ErrorKind::device, "panels: they cannot be drawn with this OpenGL",
                 "pictures need none: --headless -o out.png");
   }
   keep_opengl_loaded();
+  if (keys_) keys_->listen();
 }
 
 PanelLayer::~PanelLayer() {
   ImGui_ImplOpenGL3_Shutdown();
   if (window_ != nullptr) ImGui_ImplGlfw_Shutdown();
+  keys_.reset();
   ImGui::DestroyContext();
 }
 
@@ -56,7 +59,8 @@ bool PanelLayer::close_popups() {
 }
 
 bool PanelLayer::is_in_use() const {
-  return ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || has_waiting_input();
+  const bool are_keys_waiting = keys_ && keys_->are_waiting();
+  return ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || has_waiting_input() || are_keys_waiting;
 }
 
 float PanelLayer::scale() const {
@@ -76,6 +80,7 @@ void PanelLayer::begin() {
   if (!look_) set_look({});
   ImGui_ImplOpenGL3_NewFrame();
   if (fonts_.update()) renew_font_texture();
+  if (keys_) keys_->pass();
   if (window_ != nullptr) ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
 }

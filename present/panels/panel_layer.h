@@ -9,6 +9,7 @@
 #include "present/gl/shader_program.h"
 #include "present/panels/look.h"
 #include "present/panels/panel_fonts.h"
+#include "present/panels/panel_keys.h"
 
 struct GLFWwindow;
 struct ImDrawData;
@@ -51,6 +52,7 @@ class PanelLayer {
   static std::vector<Part> parts_of(const ImDrawData& panels);
 
   GLFWwindow* window_;
+  std::optional<PanelKeys> keys_;  // before ImGui 1.87
   std::optional<double> scale_;
   PanelFonts fonts_;
   std::optional<Look> look_;

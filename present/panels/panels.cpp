@@ -388,7 +388,7 @@ void draw_help(PanelLayout& layout) {
     };
     for (const CameraControl& control : camera_controls()) row(control.name, control.help);
     for (const KeyBinding& binding : key_bindings()) row(binding.name, binding.help);
-    row("Double click", "on a slider, or Ctrl click: type its value");
+    row("Click", "on a slider: type its value");
     ImGui::EndTable();
   }
   layout.end_right();

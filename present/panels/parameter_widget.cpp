@@ -27,6 +27,45 @@ std::string format_of(const Parameter& row) {
   return row.unit.empty() ? "%.6g" : fmt::format("%.6g {}", row.unit);
 }
 
+/// The slider that the mouse holds, or has just let go of: there is one mouse.
+struct HeldSlider {
+  ImGuiID id = 0;
+  double value = 0.0;  // before
+  bool is_dragged = false;
+  bool opens = false;  // in the next frame
+} held_slider;
+
+/// One that a drag moves, and that a click opens to type a value. ImGui's own jumps to where it is clicked,
+/// and opens after a click with Ctrl alone.
+bool slider(const char* label, double& value, const scene::SliderRange& range, const char* format,
+            ImGuiSliderFlags flags) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiID id = ImGui::GetID(label);
+  HeldSlider& held = held_slider;
+  const bool opens = held.id == id && held.opens;
+  const bool was_clicked = io.MouseClicked[0], was_ctrl_held = io.KeyCtrl;
+  if (opens) {
+    held = {};
+    io.MouseClicked[0] = io.KeyCtrl = true;
+  }
+  const double before = value;
+  const bool is_changed =
+      ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &range.low, &range.high, format, flags);
+  io.MouseClicked[0] = was_clicked;
+  io.KeyCtrl = was_ctrl_held;
+  if (ImGui::IsItemActivated() && !opens && !was_ctrl_held) held = {.id = id, .value = before};
+  if (held.id != id) return is_changed;
+  held.is_dragged |= ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+  const bool is_let_go = ImGui::IsItemDeactivated();
+  if (held.is_dragged || !(is_let_go || ImGui::IsItemActive())) {
+    if (!ImGui::IsItemActive()) held = {};
+    return is_changed;
+  }
+  value = held.value;
+  held.opens = is_let_go;
+  return false;
+}
+
 /// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it
 /// is both long and signed. Numbers that are typed are checked by the table.
 bool number_slider(const char* label, const Parameter& row, double& value) {
@@ -38,19 +77,7 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
   if (!is_logarithmic && high - low > long_range) {
     return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
   }
-  // ImGui lets a slider's value be typed after a click with Ctrl; here after a second click too, as
-  // elsewhere.
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 end(corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight());
-  bool& is_ctrl_held = ImGui::GetIO().KeyCtrl;
-  const bool was_ctrl_held = is_ctrl_held;
-  is_ctrl_held |=
-      ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && ImGui::IsMouseHoveringRect(corner, end);
-  const bool is_changed =
-      ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
-                          is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  is_ctrl_held = was_ctrl_held;
-  return is_changed;
+  return slider(label, value, {low, high}, format.c_str(), is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
 // IEC 61966-2-1, continued above 1.
@@ -406,7 +433,7 @@ Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, 
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
     if (scene.tracks.contains({row.key, element})) text += "\nhas keyframes, which an edit removes";
     if (is_text(row)) text += "\npress Enter to apply the text";
-    if (row.slider) text += "\nCtrl-click to type a value beyond the slider: " + scene::expected_text(row);
+    if (row.slider) text += "\nclick to type a value, also beyond the slider: " + scene::expected_text(row);
     ImGui::SetTooltip("%s", text.c_str());
   }
   return state;

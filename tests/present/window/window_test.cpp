@@ -91,7 +91,6 @@ void WindowTest::settle() {
 
 void WindowTest::press(const char* key) {
   ++steps_;
-  // ImGui sees keys as frames find them.
   hands_->key(key, Hands::Motion::down);
   turn();
   hands_->key(key, Hands::Motion::up);
