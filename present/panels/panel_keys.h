@@ -6,13 +6,13 @@ struct GLFWwindow;
 
 namespace offing::present {
 
-/// Keys and letters of a window that no frame has seen. ImGui before 1.87 looks at keys once a frame: it
-/// misses one that goes down and up between two, and takes letters before keys. So a frame is told of what
-/// came up to the first key that does more than write a letter. A later ImGui keeps them itself. One at a
-/// time.
+/// Keys and letters of a window that no frame has seen yet. ImGui before 1.87 looks at keys once a frame: it
+/// misses a key that goes down and up between two frames, and takes letters before keys. So each frame gets
+/// the events up to the first key that does more than write a letter. Later versions of ImGui do this
+/// themselves. Only one PanelKeys may exist at a time.
 class PanelKeys {
  public:
-  /// Takes the window's callbacks of keys and letters, which go on being called, so that ImGui finds none.
+  /// Replaces the window's callbacks of keys and letters, and still calls them, so that ImGui finds none.
   explicit PanelKeys(GLFWwindow* window);
   PanelKeys(const PanelKeys&) = delete;
   PanelKeys& operator=(const PanelKeys&) = delete;
@@ -22,7 +22,7 @@ class PanelKeys {
   /// From here on the window's keys wait; ImGui has its callbacks.
   void listen();
   bool are_waiting() const { return !events_.empty(); }
-  /// Tells ImGui, before its next frame.
+  /// Passes them to ImGui, before its next frame.
   void pass();
 
  private:
