@@ -11,8 +11,8 @@ struct LightLag {
   /// keep their shapes in between too, and new light on clouds that only moved takes one part a call of
   /// WorldClouds::light().
   int cloud_steps = 1;
-  /// New light on clouds is spread over this many calls of WorldClouds::light() at most, 1 or more; until it is
-  /// whole the old light stays.
+  /// Other new light on clouds is spread over this many calls of WorldClouds::light() at most, 1 or more;
+  /// until it is whole the old light stays.
   int cloud_light_frames = 1;
   /// Clouds send an eye the light that they sent to one at most so far aside, rad as seen from any of them.
   double cloud_rad = 0.0;

@@ -242,12 +242,12 @@ struct WorldClouds::Sky {
 
   /// The next part of the light of `next`; after the last it takes the place of `lit`.
   void light_further(std::span<const clouds::CloudIllumination> of_clouds) {
-    if (has_time && !std::ranges::equal(next->by, of_clouds)) next->by.clear();
+    if (takes_a_part_a_frame && !std::ranges::equal(next->by, of_clouds)) next->by.clear();
     if (next->by.empty()) {
       light(*next, of_clouds);
       const auto frames = static_cast<std::size_t>(lag.cloud_light_frames);
-      has_time = lag.cloud_steps > 1 && std::ranges::equal(lit->by, of_clouds);
-      steps_of_frame = has_time ? 1 : (next->steps_left() + frames - 1) / frames;
+      takes_a_part_a_frame = lag.cloud_steps > 1 && std::ranges::equal(lit->by, of_clouds);
+      steps_of_frame = takes_a_part_a_frame ? 1 : (next->steps_left() + frames - 1) / frames;
     }
     try {
       for (std::size_t i = 0; i < steps_of_frame && next->steps_left() > 0; ++i) next->light_further();
@@ -328,7 +328,7 @@ struct WorldClouds::Sky {
   std::unique_ptr<LitClouds> next;  // in the one after; made when first needed
   bool is_lighting = false;         // `next` is under way
   std::size_t steps_of_frame = 0;   // of its light
-  bool has_time = false;            // its light, which is no other than that of `lit`
+  bool takes_a_part_a_frame = false;  // as it has the same illumination as `lit`
   LightLag lag;
   bool is_one = false;                           // the clouds drift as one
   double shown_at_s = 0.0;                       // of the last at()

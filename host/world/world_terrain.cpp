@@ -218,8 +218,8 @@ bool WorldTerrain::rises_near(const Camera& camera, double shore_m) {
   const glm::ivec2 last(posts_.columns - 1, posts_.rows - 1);
   const glm::ivec2 post(glm::clamp(glm::floor(from_first_m / spacing_m), glm::dvec2(0.0), glm::dvec2(last)));
   if (post != near_.post) {
-    const double reach_m = terrain::relief_levels(last.x, last.y, spacing_m.x, spacing_m.y).reach_m;
-    const glm::ivec2 reach = glm::ivec2(glm::ceil(reach_m / spacing_m)) + 1;
+    const terrain::ReliefLevels levels = terrain::relief_levels(last.x, last.y, spacing_m.x, spacing_m.y);
+    const glm::ivec2 reach = glm::ivec2(glm::ceil(levels.reach_m / spacing_m)) + 1;
     const glm::ivec2 begin = glm::max(post - reach, glm::ivec2(0)), end = glm::min(post + reach, last);
     near_ = {post, -std::numeric_limits<float>::infinity()};
     for (int row = begin.y; row <= end.y; ++row) {

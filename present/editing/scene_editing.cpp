@@ -85,12 +85,13 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change)
   work([&] {
     scene::Scene edited = state_.scene;
     std::string news = change(edited);
-    const std::size_t before = bodies_on_land(sea_, state_.scene).size();
+    const std::vector<std::string> before = bodies_on_land(sea_, state_.scene);
     state_.scene = std::move(edited);
     finish(Edit::done);
     if (state_.message.is_fault) return Edit::none;
-    const std::vector<std::string> on_land = bodies_on_land(sea_, state_.scene);
-    if (on_land.size() > before)
+    std::vector<std::string> on_land = bodies_on_land(sea_, state_.scene);
+    std::erase_if(on_land, [&](const std::string& name) { return std::ranges::count(before, name) > 0; });
+    if (!on_land.empty())
       news +=
           fmt::format("\non land now: {}; move it to water, or move the terrain", fmt::join(on_land, ", "));
     if (!state_.message.text.empty()) news += '\n' + state_.message.text;

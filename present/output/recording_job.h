@@ -26,7 +26,8 @@ class RecordingJob {
   /// It ends after the frame in progress.
   void cancel() { cancel_.cancel(); }
   bool has_ended() const;
-  /// Waits for its end. Throws what made it end early, Error(cancelled) after cancel(). Call it once.
+  /// Waits for its end. Throws what made it end early, Error(cancelled) after cancel(), Error(out_of_memory).
+  /// Call it once.
   void take() { ended_.get(); }
 
  private:

@@ -35,6 +35,7 @@ float monitor_scale(GLFWwindow* window) {
 PanelLayer::PanelLayer(GLFWwindow* window, std::optional<double> scale) : window_(window), scale_(scale) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigDragClickToInputText = true;  // as sliders do
   if (window != nullptr && !imgui_keeps_input) keys_.emplace(window);
   const bool has_events = window == nullptr || ImGui_ImplGlfw_InitForOpenGL(window, true);
   if (!has_events || !ImGui_ImplOpenGL3_Init("#version 330 core")) {

@@ -27,21 +27,12 @@ std::string format_of(const Parameter& row) {
   return row.unit.empty() ? "%.6g" : fmt::format("%.6g {}", row.unit);
 }
 
-/// The slider that the mouse holds, or has just let go of: there is one mouse.
-struct HeldSlider {
-  ImGuiID id = 0;
-  double value = 0.0;  // before
-  bool is_dragged = false;
-  bool opens = false;  // in the next frame
-} held_slider;
-
-/// One that a drag moves, and that a click opens to type a value. ImGui's own jumps to where it is clicked,
-/// and opens after a click with Ctrl alone.
-bool slider(const char* label, double& value, const scene::SliderRange& range, const char* format,
-            ImGuiSliderFlags flags) {
+/// A slider that a drag moves, and that a click opens to type a value. ImGui's own jumps to where it is
+/// clicked, and opens after a click with Ctrl alone.
+bool slider(const char* label, HeldSlider& held, double& value, const scene::SliderRange& range,
+            const char* format, ImGuiSliderFlags flags) {
   ImGuiIO& io = ImGui::GetIO();
   const ImGuiID id = ImGui::GetID(label);
-  HeldSlider& held = held_slider;
   const bool opens = held.id == id && held.opens;
   const bool was_clicked = io.MouseClicked[0], was_ctrl_held = io.KeyCtrl;
   if (opens) {
@@ -68,7 +59,7 @@ bool slider(const char* label, double& value, const scene::SliderRange& range, c
 
 /// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it
 /// is both long and signed. Numbers that are typed are checked by the table.
-bool number_slider(const char* label, const Parameter& row, double& value) {
+bool number_slider(const char* label, const Parameter& row, HeldSlider& held, double& value) {
   constexpr double long_range = 1e5, decades = 1e3;
   constexpr float drag_speed = 0.5f;  // units a pixel
   const auto [low, high] = row.slider.value_or(scene::SliderRange{row.low, row.high});
@@ -77,7 +68,8 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
   if (!is_logarithmic && high - low > long_range) {
     return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
   }
-  return slider(label, value, {low, high}, format.c_str(), is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  return slider(label, held, value, {low, high}, format.c_str(),
+                is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
 // IEC 61966-2-1, continued above 1.
@@ -220,7 +212,7 @@ class Widget {
 
   Edit number(double& at) {
     double value = at / row_.scale;
-    const bool is_changed = number_slider(label_.c_str(), row_, value);
+    const bool is_changed = number_slider(label_.c_str(), row_, edit_.slider, value);
     return stored(is_changed, {.value = value, .shown = fmt::format("{:g}", value)});
   }
 

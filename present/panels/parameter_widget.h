@@ -20,12 +20,21 @@ enum class Edit {
   done,
 };
 
+/// A slider that the mouse holds, or has just let go of.
+struct HeldSlider {
+  unsigned id = 0;     ///< that ImGui knows it by; 0: none
+  double value = 0.0;  ///< before
+  bool is_dragged = false;
+  bool opens = false;  ///< in the next frame
+};
+
 /// What is kept while a value is edited: one at a time.
 struct EditInProgress {
   std::any before = {};                                                ///< the value
   std::vector<std::pair<scene::ValueKey, KeyframeTrack>> tracks = {};  ///< its keyframes
   std::string fault = {};                       ///< why the last value was refused; empty if it was taken
   std::optional<scene::ValueKey> browsed = {};  ///< a row whose file is to be chosen in a dialog
+  HeldSlider slider = {};
 };
 
 /// A row's name in words, without its unit: "direction" of `wind.direction_deg`.

@@ -66,9 +66,10 @@ void FreeCamera::look_at(const glm::dvec3& middle_m, double radius_m, const Surf
   eye_m.x = within_range("camera.x_m", eye_m.x);
   eye_m.z = within_range("camera.z_m", eye_m.z);
   rise_above(surface_m(eye_m.x, eye_m.z));
-  const glm::dvec3 ahead = glm::normalize(middle_m - eye_m);
-  camera_.yaw_rad = std::atan2(ahead.x, -ahead.z);
-  camera_.pitch_rad = std::asin(ahead.y);
+  const glm::dvec3 way_m = middle_m - eye_m;
+  if (way_m == glm::dvec3(0.0)) return;
+  camera_.yaw_rad = std::atan2(way_m.x, -way_m.z);
+  camera_.pitch_rad = std::atan2(way_m.y, std::hypot(way_m.x, way_m.z));
 }
 
 void FreeCamera::reset() {

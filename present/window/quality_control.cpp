@@ -10,9 +10,6 @@ constexpr double least_stay_s = 2.0;
 // which new light on clouds is worked out.
 constexpr double window_s = 2.0;
 constexpr std::size_t least_frames = 3;
-// A finer quality level is tried only if this much of the time is enough for it. That of one that was too
-// slow is known, so that quality levels do not take turns.
-constexpr double safety = 1.0;
 // A quality level that was too slow is tried again after so long; each time that it is again, after four
 // times as long.
 constexpr double least_memory_s = 6.0, longest_memory_s = 60.0;
@@ -61,7 +58,7 @@ void QualityControl::note(double frame_ms, double wanted_ms, double now_s) {
              usual_ms * typical_cost(quality_levels.at(wanted)) / typical_cost(quality()) > wanted_ms)
         ++wanted;
     } else {
-      while (wanted > 0 && expected_ms(wanted - 1, usual_ms, now_s) < safety * wanted_ms) --wanted;
+      while (wanted > 0 && expected_ms(wanted - 1, usual_ms, now_s) < wanted_ms) --wanted;
     }
     if (wanted != level_) {
       go_to(wanted, usual_ms, now_s);

@@ -30,6 +30,7 @@ ReliefLevels relief_levels(int cells_x, int cells_z, double spacing_x_m, double 
   const int most = most_steps_log2 - static_cast<int>(std::ceil(std::log2(std::max(cells_x, cells_z))));
   ReliefLevels levels{.finest_log2 = std::min(wanted, most)};
   levels.count = std::clamp((levels.finest_log2 + 1) / TERRAIN_RELIEF_RATIO_LOG2, 0, most_levels);
+  if (levels.count == 0) return levels;
   const int coarsest_log2 = levels.finest_log2 - (levels.count - 1) * TERRAIN_RELIEF_RATIO_LOG2;
   // The eye is anywhere within the four steps between posts of the next level.
   levels.reach_m =
@@ -72,15 +73,19 @@ bool ReliefSurface::choose_levels(const TerrainField& field, const TerrainView& 
   params_.tree_line_m = narrow(settings.tree_line_m);
   params_.snow_line_m = narrow(settings.snow_line_m);
   std::vector<TerrainReliefDisc> discs;
+  const auto away_m = [](const TerrainReliefDisc& disc) { return std::hypot(disc.east_m, disc.south_m); };
   for (const LevelDisc& disc : settings.discs) {
     const double east_m =
         disc.x_m - (eye.cell_x + static_cast<double>(eye.fraction_x)) * spacing_m(field.cells_per_m_x);
     const double south_m =
         disc.z_m - (eye.cell_z + static_cast<double>(eye.fraction_z)) * spacing_m(field.cells_per_m_z);
-    const bool is_near = std::hypot(east_m, south_m) < levels.reach_m + disc.radius_m + disc.ramp_m();
-    if (!is_near || discs.size() == most_discs) continue;
+    if (std::hypot(east_m, south_m) >= levels.reach_m + disc.radius_m + disc.ramp_m()) continue;
     discs.push_back(
         {narrow(east_m), narrow(south_m), narrow(disc.radius_m), narrow(disc.ramp_m()), narrow(disc.share)});
+  }
+  if (discs.size() > most_discs) {
+    std::ranges::nth_element(discs, discs.begin() + most_discs, {}, away_m);
+    discs.resize(most_discs);
   }
   if (!discs.empty()) discs_.write(discs);
   params_.discs = static_cast<int>(discs.size());

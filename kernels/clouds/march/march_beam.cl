@@ -24,7 +24,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void march_beam
   const float planes_way = 1.0f / component(speed, axis), half_way = 0.5f * planes_way * volume.cell_m;
   const float back_a = -component(way, axis_a) * planes_way, back_b = -component(way, axis_b) * planes_way;
   const int left_a = back_a < 0.0f ? -1 : 0, left_b = back_b < 0.0f ? -1 : 0;
-  const float share_a = back_a - (float)left_a, share_b = back_b - (float)left_b;
+  // Not back - (float)left: of the -1 of a condition Oclgrind 21.10 makes 1.
+  const float share_a = back_a < 0.0f ? 1.0f + back_a : back_a, share_b = back_b < 0.0f ? 1.0f + back_b : back_b;
   const bool is_rising = component(way, axis) > 0.0f;
   const int step = is_rising ? strides[axis] : -strides[axis];
   const MarchEntry entry = march_entry(volume, grids, looks, lights, entries, suns, channels, sun);

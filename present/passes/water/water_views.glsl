@@ -170,7 +170,9 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, ShownGround gro
   // As deep below the surface as the bed, or what stands before it, along the broken ray.
   vec3 broken = refract(-v, normal, 1.0 / water_index);
   float down_m = max(still_depth_m(surface_m.xz + lit.label_shift_m) + surface_m.y + view.eye_height_m, 0.0);
-  if (straight.w > 0.0) down_m = min(down_m, max(surface_m.y - straight.y, 0.0));
+  float straight_down_m = surface_m.y - straight.y;
+  bool is_straight_bed = straight.w > 0.0 && straight_down_m >= 0.0 && straight_down_m <= down_m;
+  if (straight.w > 0.0) down_m = min(down_m, max(straight_down_m, 0.0));
   if (down_m > 1.0e6) return deep_kcdpm2;
   vec3 bed_m = surface_m + broken * (down_m / max(-broken.y, 0.3));
   vec3 shifted_place = clip_of(bed_m);
@@ -186,16 +188,13 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, ShownGround gro
   vec4 seen = vec4(bed_kcdpm2, 1.0);
   if (is_beneath) {
     seen = is_sharp ? vec4(shifted_ground.light, 1.0) : textureLod(beneath_light, beneath_uv(shifted_place), 0.0);
-  } else if (HAS_SHOALS == 1 && !(straight.w > 0.0 && down_m == surface_m.y - straight.y)) {
+  } else if (HAS_SHOALS == 1 && !is_straight_bed) {
     // Shallows that the pictures do not show, far away or beside them, are sand.
     place = vec4(bed_m, 1.0);
   } else if (straight.w > 0.0) {
     place = straight;
     is_sharp = ground.place.w > 0.0 && straight == ground.place;
     seen = is_sharp ? vec4(ground.light, 1.0) : textureLod(beneath_light, beneath_uv(clip_place), 0.0);
-  } else if (HAS_SHOALS == 1) {
-    // Shallows that the pictures do not show, far away or beside them, are sand.
-    place = vec4(surface_m + broken * (down_m / max(-broken.y, 0.3)), 1.0);
   } else {
     return deep_kcdpm2;
   }

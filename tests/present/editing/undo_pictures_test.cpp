@@ -315,6 +315,8 @@ TEST_F(UndoPicturesTest, BoatsOnLandAreReported) {
   editing_->undo();
   open_plain(40);
   EXPECT_NE(state_.message.text.find("on land now: boat"), std::string::npos) << state_.message.text;
+  open_plain(50);
+  EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << "it was before";
 }
 
 /// A bowl of 240 m with a rim 20 m above its floor, and a camera that looks into it.

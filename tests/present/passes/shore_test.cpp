@@ -68,40 +68,6 @@ TEST_F(ShoreTest, WaterThinsOutWithoutAStair) {
   EXPECT_LT(largest, 0.2);
 }
 
-// A bank hides its own waterline, and behind it the bed falls steeply. Fails if water beside the bank's edge
-// shows wet sand in some pixels and the bed far out in others: the edge had teeth of three pixels. It is
-// straight, so no row of it is a pixel or more off the line; found 0.66.
-TEST_F(ShoreTest, WaterBehindABankHasAStraightEdge) {
-  world::TerrainParameters bank =
-      ground([](double z_m) { return z_m >= 0.0 ? 0.7 : std::max(0.7 + 0.6 * z_m, -12.0); });
-  bank.relief = 0.0;
-  Camera camera = square_camera({0.0, 3.7, 9.0});
-  camera.pitch_rad = -std::atan2(3.0, 9.0);
-  camera.roll_rad = 0.25;
-  camera.vertical_field_of_view_rad = 0.3;
-  const std::vector<float> seen = light_on(bank, still_sea, camera, side_px);
-  // Red over blue: sand is yellow.
-  const auto hue = [&](int column, int row) {
-    return static_cast<double>(pixel(seen, column, row)[0]) / pixel(seen, column, row)[2];
-  };
-  std::vector<double> edge;  // of each column, the first row that is rather water than sand
-  for (int column = 0; column < side_px; ++column) {
-    const double sand = hue(column, 0), water = hue(column, side_px - 1);
-    ASSERT_GT(sand, 1.5 * water);
-    int row = 0;
-    while (hue(column, row) > water + 0.5 * (sand - water)) ++row;
-    edge.push_back(row);
-  }
-  const double slope = (edge.back() - edge.front()) / (side_px - 1);
-  EXPECT_GT(std::abs(slope), 0.1) << "rows of pixels show no teeth";
-  double middle = 0.0, farthest = 0.0;
-  for (int column = 0; column < side_px; ++column) middle += (edge[column] - slope * column) / side_px;
-  for (int column = 0; column < side_px; ++column)
-    farthest = std::max(farthest, std::abs(edge[column] - slope * column - middle));
-  RecordProperty("farthest_px", std::to_string(farthest));
-  EXPECT_LT(farthest, 1.0);
-}
-
 // Where the bed falls away more steeply than the eye looks, rays past the waterline miss it and meet the bed
 // far out. Water of 0 to 1 m is clear all the same: pixels one above the other differ by less than 0.1, as
 // logarithms of red light. Found 0.026; before, 0.39, in teeth as wide as pixels of what is beneath the

@@ -100,6 +100,30 @@ TEST_F(ReliefSurfaceTest, PostsAreThoseOfDoublePrecision) {
   EXPECT_GE(compared_on_disc, 20);
 }
 
+// More discs than there is room for. Fails if those near the eye are left out for others.
+TEST_F(ReliefSurfaceTest, NearestDiscsAreLevel) {
+  Camera camera = camera_at(500.0, 430.0, 12.0);
+  camera.pitch_rad = -0.5 * std::numbers::pi;
+  camera.vertical_field_of_view_rad = 3.1;
+  ReliefSettings many = settings;
+  for (int i = 0; i < 100; ++i)
+    many.discs.insert(many.discs.begin(), {.x_m = 505.0 + i, .z_m = 530.0, .radius_m = 1.0});
+  const auto heights_m = [&](const ReliefSettings& how) {
+    cast(camera, how);
+    return relief_.heights_m().read();
+  };
+  ReliefSettings nearest = settings;
+  for (int i = 0; i < 63; ++i) nearest.discs.push_back({.x_m = 505.0 + i, .z_m = 530.0, .radius_m = 1.0});
+  EXPECT_EQ(heights_m(many), heights_m(nearest));
+}
+
+// Fails if posts that are too close for relief have a reach all the same, which eyes would look through.
+TEST(ReliefLevelsTest, ReachNowhereWithoutAny) {
+  EXPECT_EQ(terrain::relief_levels(4096, 4096, 0.05, 0.05).count, 0);
+  EXPECT_EQ(terrain::relief_levels(4096, 4096, 0.05, 0.05).reach_m, 0.0);
+  EXPECT_GT(terrain::relief_levels(4096, 4096, 30.0, 30.0).reach_m, 100.0);
+}
+
 // Fails if a ray passes through the drawn ground, hits it more than 1e-3 cells away from where it is, or
 // hits nothing: within levels, where they meet, and where they end.
 TEST_F(ReliefSurfaceTest, RaysHitTheDrawnGround) {
