@@ -5,7 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -114,11 +116,75 @@ TEST_F(GltfImport, RefusesWhatIsNotThere) {
   EXPECT_THAT(refusal(stage, {.camera = "shop"}),
               HasSubstr("expected a camera \"shop\", got none of this name"));
   EXPECT_THAT(refusal(stage, {.animation = "walk"}), HasSubstr("an animation \"walk\", got \"pan\""));
-  EXPECT_THAT(refusal(stage, {.frames_per_s = 20000.0}), HasSubstr("an animation of fewer than 10000 frames"));
+  EXPECT_THAT(refusal(stage, {.frames_per_s = 20000.0}),
+              HasSubstr("an animation of fewer than 10000 frames"));
   std::ofstream(folder_.path() / "far.gltf")
       << R"({"asset":{"version":"2.0"},"cameras":[{"perspective":{"yfov":1}}],)"
       << R"("nodes":[{"camera":0,"translation":[0,1e9,0]}]})";
   EXPECT_THAT(refusal(folder_.path() / "far.gltf", {}), HasSubstr("values that a scene can have"));
+}
+
+/// A glTF whose node 0 turns around y at a steady rate for 4 s, with four keys a second.
+std::filesystem::path write_turn(const std::filesystem::path& folder, double whole_rad,
+                                 const std::string& members) {
+  constexpr int last = 16;
+  std::vector<float> numbers;
+  for (int key = 0; key <= last; ++key) numbers.push_back(0.25f * static_cast<float>(key));
+  for (int key = 0; key <= last; ++key) {
+    const double half_rad = 0.5 * whole_rad * key / last;
+    for (const double value : {0.0, std::sin(half_rad), 0.0, std::cos(half_rad)})
+      numbers.push_back(static_cast<float>(value));
+  }
+  const std::size_t bytes = numbers.size() * sizeof(float);
+  std::ofstream(folder / "turn.bin", std::ios::binary)
+      .write(reinterpret_cast<const char*>(numbers.data()), static_cast<std::streamsize>(bytes));
+  std::ofstream(folder / "turn.gltf")
+      << R"({"asset":{"version":"2.0"},"buffers":[{"uri":"turn.bin","byteLength":)" << bytes << "}],"
+      << R"("bufferViews":[{"buffer":0,"byteLength":)" << bytes << R"(}],"accessors":[)"
+      << R"({"bufferView":0,"componentType":5126,"count":17,"type":"SCALAR"},)"
+      << R"({"bufferView":0,"byteOffset":68,"componentType":5126,"count":17,"type":"VEC4"}],)"
+      << R"("animations":[{"samplers":[{"input":0,"output":1}],"channels":[)"
+      << R"({"sampler":0,"target":{"node":0,"path":"rotation"}}]}],)" << members << '}';
+  return folder / "turn.gltf";
+}
+
+// A node with a camera and a light turns by up to two and a half turns. Fails if one of both turns the other
+// way, not at all or at another speed, or if a turn has a key for each frame.
+TEST_F(GltfImport, WholeTurnsKeepTheirWay) {
+  constexpr double turn_rad = 2.0 * std::numbers::pi;
+  for (const double turns : {0.5, 0.75, 1.0, -1.0, 2.0, 2.5}) {
+    SCOPED_TRACE(turns);
+    const auto file = write_turn(
+        folder_.path(), turns * turn_rad,
+        R"("nodes":[{"camera":0,"extensions":{"KHR_lights_punctual":{"light":0}}}],)"
+        R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],)"
+        R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":800}]}})");
+    const ImportedScene imported = import_gltf(file, {}, Trust::trusted);
+    const Scene scene = read_back(imported);
+    for (int frame = 0; frame <= 96; ++frame) {
+      const ViewScene view = view_at(scene, frame / 24.0);
+      const CameraBasis expected = turned(turns * turn_rad * frame / 96.0);
+      EXPECT_LT(glm::distance(basis(view.camera).forward, expected.forward), 1e-6) << frame;
+    }
+    for (const auto& [key, track] : scene.tracks) EXPECT_LT(track.keys.size(), 16u);
+    const KeyframeTrack& light = scene.tracks.at({"light.azimuth_deg", ElementIndex{0, 0}});
+    for (int frame = 0; frame <= 96; ++frame) {
+      const double azimuth_rad = value_at(light, frame / 24.0);
+      // It comes from behind.
+      const glm::dvec3 expected = -turned(turns * turn_rad * frame / 96.0).forward;
+      EXPECT_NEAR(std::sin(azimuth_rad), expected.x, 1e-6) << frame;
+      EXPECT_NEAR(-std::cos(azimuth_rad), expected.z, 1e-6) << frame;
+    }
+  }
+}
+
+// Fails if a zero of a scene is written with a sign.
+TEST_F(GltfImport, ZerosHaveNoSign) {
+  const auto file = write_turn(folder_.path(), 2.0 * std::numbers::pi,
+                               R"("nodes":[{"camera":0},{"camera":0}],)"
+                               R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}])");
+  const std::string text = scene_text(import_gltf(file, {}, Trust::trusted).scene, "");
+  EXPECT_THAT(text, testing::Not(testing::ContainsRegex("-0[^.0-9]")));
 }
 
 }  // namespace

@@ -53,11 +53,14 @@ Camera camera_at(const glm::dmat4& to_world, const meshes::GltfCamera& camera) {
   made.yaw_rad = std::atan2(ahead.x, -ahead.z);
   const CameraBasis without_roll = basis(made);
   made.roll_rad = std::atan2(-glm::dot(right, without_roll.up), glm::dot(right, without_roll.right));
+  made.eye_m += 0.0;  // so that no zero has a sign
+  for (double* angle_rad : {&made.yaw_rad, &made.pitch_rad, &made.roll_rad}) *angle_rad += 0.0;
   return made;
 }
 
-/// Without the keys that lie on the line between their neighbours.
-std::vector<Keyframe> without_straight_ones(const std::vector<Keyframe>& keys) {
+/// Without the keys that lie on the line between their neighbours. A scene turns the short way between two
+/// keys, so the keys of an angle stay less than a third of its period apart.
+std::vector<Keyframe> without_straight_ones(const std::vector<Keyframe>& keys, double period) {
   double largest = 0.0;
   for (const Keyframe& key : keys) largest = std::max(largest, std::abs(key.value));
   const double tolerance = 1e-9 * std::max(largest, 1e-3);
@@ -66,7 +69,9 @@ std::vector<Keyframe> without_straight_ones(const std::vector<Keyframe>& keys) {
     if (i > 0 && i + 1 < keys.size()) {
       const Keyframe &before = kept.back(), &after = keys[i + 1];
       const double t = (keys[i].time_s - before.time_s) / (after.time_s - before.time_s);
-      if (std::abs(std::lerp(before.value, after.value, t) - keys[i].value) <= tolerance) continue;
+      const bool is_straight = std::abs(std::lerp(before.value, after.value, t) - keys[i].value) <= tolerance;
+      const bool is_near = period == 0.0 || std::abs(after.value - before.value) < period / 3.0;
+      if (is_straight && is_near) continue;
     }
     kept.push_back(keys[i]);
   }
@@ -128,9 +133,9 @@ class GltfImporter {
       fail(fmt::format("at most {:g} frames times nodes", most_matrices),
            fmt::format("{:.0f} frames of {} nodes", frames, stage_.nodes->nodes().size()),
            "take fewer frames: --fps 1");
-    std::vector<std::size_t> nodes;
-    for (const meshes::GltfCamera& camera : stage_.cameras) nodes.push_back(camera.node);
-    for (const meshes::GltfLight& light : stage_.lights) nodes.push_back(light.node);
+    std::set<std::size_t> nodes;  // one may have both
+    for (const meshes::GltfCamera& camera : stage_.cameras) nodes.insert(camera.node);
+    for (const meshes::GltfLight& light : stage_.lights) nodes.insert(light.node);
     for (int frame = 0; frame <= static_cast<int>(frames); ++frame) {
       times_s_.push_back(frame / choice_.frames_per_s);
       const std::vector<glm::dmat4> to_world = stage_.nodes->to_world(times_s_.back());
@@ -255,9 +260,10 @@ class GltfImporter {
       if (period > 0.0 && !keys.empty()) value += period * std::round((keys.back().value - value) / period);
       keys.push_back({times_s_[frame], value});
     }
-    keys = without_straight_ones(keys);
-    if (period > 0.0) {
-      for (Keyframe& each : keys) each.value = std::remainder(each.value, period);
+    keys = without_straight_ones(keys, period);
+    for (Keyframe& each : keys) {
+      if (period > 0.0) each.value = std::remainder(each.value, period);
+      each.value += 0.0;  // so that no zero has a sign
     }
     constant = keys.front().value;
     if (keys.size() > 1)
