@@ -26,12 +26,13 @@ INLINE float radical_inverse(int number) {
 INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
                            int samples, float4 *lights) {
   const TerrainField field = scenery->terrain.field;
-  const float sample_rad = pixel_rad(view) / sqrt((float)samples);
+  const float of_pixel = 1.0f / sqrt((float)samples);
   Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
   lanes covered = (lanes)0.0f;
   for (int i = 0; i < samples; ++i) {
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse(i) + 0.5f / (float)samples);
+    const lanes sample_rad = of_pixel * seen_rad(field, view, rays);
     RaySetup ray_setup = ray_setup_of(field, rays);
 #ifdef RELIEF
     const Hits near = relief_hits(scenery->terrain, scenery->relief, &ray_setup);
@@ -57,7 +58,7 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
 #endif
     const int_lanes is_sea = meets_sea_beyond(scenery, rays, on_ground.is_hit);
     if (any_lane(is_sea)) {
-      seen = blend(seen, sea_beyond_light(scenery, rays, (lanes)sample_rad), select((lanes)0.0f, (lanes)1.0f, is_sea));
+      seen = blend(seen, sea_beyond_light(scenery, rays, sample_rad), select((lanes)0.0f, (lanes)1.0f, is_sea));
     }
     sum.red += seen.red;
     sum.green += seen.green;

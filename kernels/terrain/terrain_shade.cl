@@ -13,7 +13,7 @@
 #include "terrain/lakes/lake_light.clh"
 #endif
 
-INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
+INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, lanes ray_rad, int column, int row) {
   int numbers[3][LANES];
   float places[3][LANES];
   for (int lane = 0; lane < LANES; ++lane) {
@@ -29,7 +29,7 @@ INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView vie
   }
   const lanes t_m = load_lanes(places[0]);
   const TerrainHits terrain = {load_lanes(numbers[0]), load_lanes(numbers[1]), load_lanes(numbers[2]), t_m,
-                             load_lanes(places[1]),  load_lanes(places[2]),  t_m * pixel_rad(view), (lanes)1.0f, (lanes)1.0f};
+                             load_lanes(places[1]),  load_lanes(places[2]),  t_m * ray_rad, (lanes)1.0f, (lanes)1.0f};
   return terrain;
 }
 
@@ -69,7 +69,8 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
-      TerrainHits terrain = terrain_hits(hits, view, column, row);
+      const lanes ray_rad = seen_rad(field, view, rays);
+      TerrainHits terrain = terrain_hits(hits, view, ray_rad, column, row);
 #ifdef LAKES
       terrain.is_hit &= shown_with_lakes(&scenery, rays, terrain);
 #else
@@ -87,7 +88,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
       const int_lanes is_sea = meets_sea_beyond(&scenery, rays, terrain.is_hit);
       Colours seen = colours_there.seen, edge_light = colours_there.edges;
       if (any_lane(is_sea)) {
-        const Colours sea = sea_beyond_light(&scenery, rays, (lanes)pixel_rad(view));
+        const Colours sea = sea_beyond_light(&scenery, rays, ray_rad);
         const lanes share = select((lanes)0.0f, (lanes)1.0f, is_sea);
         seen = blend(seen, sea, share);
         edge_light = blend(edge_light, sea, share);
