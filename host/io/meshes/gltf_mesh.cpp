@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -65,8 +66,8 @@ struct Vertices {
 struct ShownVertices {
   std::optional<std::size_t> node;  // none: in the world's axes
   std::shared_ptr<const Vertices> vertices;
-  std::shared_ptr<const Skin> skin;  // none: they go with the node
-  std::vector<double> weights;       // of the morphs, at rest
+  std::shared_ptr<const Skin> skin;                    // none: they go with the node
+  std::shared_ptr<const std::vector<double>> weights;  // of the morphs, at rest
 };
 
 /// The directions that planes' normals go to: the cofactors are the inverse's transpose without its division,
@@ -87,10 +88,12 @@ class MovingVertices {
   void add(ShownVertices shown) { parts_.push_back(std::move(shown)); }
 
   bool move() const {
-    return std::any_of(parts_.begin(), parts_.end(), [this](const ShownVertices& part) {
+    std::set<const Skin*> still;  // skins that parts share are looked at once
+    return std::any_of(parts_.begin(), parts_.end(), [&](const ShownVertices& part) {
       if (!part.node) return false;
       if (!part.vertices->morphs.empty() && scene_.weights_move(*part.node)) return true;
       if (!part.skin) return scene_.moves(*part.node);
+      if (!still.insert(part.skin.get()).second) return false;
       const std::vector<std::size_t>& joints = part.skin->joints;
       return std::any_of(joints.begin(), joints.end(),
                          [this](std::size_t node) { return scene_.moves(node); });
@@ -100,6 +103,7 @@ class MovingVertices {
   /// Without a time at rest. Throws Error(bad_input) for positions that are not usable.
   MeshForm form_at(std::optional<double> time_s, bool has_normals) const {
     const std::vector<glm::dmat4> to_world = scene_.to_world(time_s);
+    std::map<const Skin*, std::vector<glm::dmat4>> joints;  // of skins, which parts share
     MeshForm form;
     for (const ShownVertices& part : parts_) {
       const std::size_t first = form.positions_m.size();
@@ -108,9 +112,10 @@ class MovingVertices {
                               vertices.positions_m.end());
       if (has_normals)
         form.normals.insert(form.normals.end(), vertices.normals.begin(), vertices.normals.end());
+      const std::size_t morph_count = vertices.morphs.size();
       const std::vector<double> weights =
-          part.node ? scene_.weights_at(*part.node, time_s, part.weights) : part.weights;
-      for (std::size_t i = 0; i < std::min(weights.size(), vertices.morphs.size()); ++i) {
+          part.node ? scene_.weights_at(*part.node, time_s, morph_count, *part.weights) : *part.weights;
+      for (std::size_t i = 0; i < std::min(weights.size(), morph_count); ++i) {
         if (weights[i] == 0.0) continue;
         for (const auto& [vertex, way] : vertices.morphs[i].positions_m)
           form.positions_m[first + vertex] += weights[i] * way;
@@ -118,7 +123,9 @@ class MovingVertices {
         for (const auto& [vertex, way] : vertices.morphs[i].normals)
           form.normals[first + vertex] += weights[i] * way;
       }
-      move(part, to_world, first, form);
+      if (part.skin && !joints.contains(part.skin.get()))
+        joints[part.skin.get()] = joints_of(*part.skin, to_world);
+      move(part, to_world, joints[part.skin.get()], first, form);
     }
     for (const glm::dvec3& p : form.positions_m) {
       const bool is_usable = std::abs(p.x) <= farthest_vertex_m && std::abs(p.y) <= farthest_vertex_m &&
@@ -129,9 +136,17 @@ class MovingVertices {
   }
 
  private:
-  /// Those from `first` on, which are those of a part in its axes, to the world.
-  static void move(const ShownVertices& part, const std::vector<glm::dmat4>& to_world, std::size_t first,
-                   MeshForm& form) {
+  /// From the mesh as it was bound to the world, for each joint.
+  static std::vector<glm::dmat4> joints_of(const Skin& skin, const std::vector<glm::dmat4>& to_world) {
+    std::vector<glm::dmat4> joints;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i)
+      joints.push_back(to_world[skin.joints[i]] * skin.from_mesh[i]);
+    return joints;
+  }
+
+  /// Those from `first` on, which are those of a part in its axes, to the world. `joints` are of its skin.
+  static void move(const ShownVertices& part, const std::vector<glm::dmat4>& to_world,
+                   const std::vector<glm::dmat4>& joints, std::size_t first, MeshForm& form) {
     const auto place = [&](std::size_t vertex, const glm::dmat4& transform) {
       form.positions_m[vertex] = transform * glm::dvec4(form.positions_m[vertex], 1.0);
     };
@@ -146,15 +161,12 @@ class MovingVertices {
       }
       return;
     }
-    std::vector<glm::dmat4> moved;  // [joints]
-    for (std::size_t i = 0; i < part.skin->joints.size(); ++i)
-      moved.push_back(to_world[part.skin->joints[i]] * part.skin->from_mesh[i]);
     const Vertices& vertices = *part.vertices;
     for (std::size_t i = 0; i < count; ++i) {
       glm::dmat4 transform(0.0);
       for (std::uint32_t k = vertices.first_influences[i]; k < vertices.first_influences[i + 1]; ++k) {
         const Influence& influence = vertices.influences[k];
-        transform += static_cast<double>(influence.weight) * moved[influence.joint];
+        transform += static_cast<double>(influence.weight) * joints[influence.joint];
       }
       place(first + i, transform);
       if (has_normals) form.normals[first + i] = normals_of(transform) * form.normals[first + i];
@@ -233,18 +245,21 @@ class GltfParser {
       document_.fail("primitives of each mesh", "none");
     const std::shared_ptr<const Skin> skin =
         node.contains("skin") ? skin_of(document_.whole(node, "skin", std::nullopt)) : nullptr;
-    const std::vector<double> weights = weights_of(node.contains("weights") ? node : mesh);
-    std::map<Key, std::size_t> first_vertices;  // of this node
+    std::shared_ptr<const std::vector<double>>& of_mesh = weights_of_[mesh_index];
+    if (!of_mesh && !node.contains("weights")) of_mesh = weights_of(mesh);
+    const std::shared_ptr<const std::vector<double>> weights =
+        node.contains("weights") ? weights_of(node) : of_mesh;
+    std::map<std::size_t, std::size_t> first_vertices;  // of this node, by the number of their key
     for (const json& primitive : *primitives)
       add_primitive(primitive, {.node = index, .vertices = {}, .skin = skin, .weights = weights},
                     first_vertices);
   }
 
-  std::vector<double> weights_of(const json& object) const {
+  std::shared_ptr<const std::vector<double>> weights_of(const json& object) const {
     const auto weights = object.find("weights");
-    if (weights == object.end()) return {};
+    if (weights == object.end()) return std::make_shared<const std::vector<double>>();
     if (!weights->is_array()) document_.fail("a list \"weights\"", weights->type_name());
-    return document_.numbers(object, "weights", weights->size());
+    return std::make_shared<const std::vector<double>>(document_.numbers(object, "weights", weights->size()));
   }
 
   /// nullptr for one whose joints the scene does not have.
@@ -268,6 +283,7 @@ class GltfParser {
     if (object.contains("inverseBindMatrices")) {
       const std::vector<double> numbers =
           document_.components(document_.whole(object, "inverseBindMatrices", std::nullopt), "MAT4", 16);
+      grow(numbers.size() / 16);
       if (numbers.size() / 16 < skin.joints.size())
         document_.fail(fmt::format("{} matrices of skins[{}]", skin.joints.size(), index),
                        fmt::format("{}", numbers.size() / 16));
@@ -280,7 +296,17 @@ class GltfParser {
   /// Numbers of the accessors that make vertices what they are.
   using Key = std::vector<std::size_t>;
 
-  void add_primitive(const json& primitive, ShownVertices shown, std::map<Key, std::size_t>& first_vertices) {
+  /// The number of a primitive's key. Nodes that show it ask for it again, so each is made once.
+  std::size_t number_of_key(const json& primitive, const json& attributes, const Skin* skin) {
+    const std::size_t joints = skin == nullptr ? 0 : skin->joints.size();
+    const auto [number, is_new] = key_numbers_.try_emplace({&primitive, joints}, 0);
+    if (is_new)
+      number->second = keys_.try_emplace(key_of(primitive, attributes, skin), keys_.size()).first->second;
+    return number->second;
+  }
+
+  void add_primitive(const json& primitive, ShownVertices shown,
+                     std::map<std::size_t, std::size_t>& first_vertices) {
     if (!primitive.is_object()) document_.fail("objects as primitives", primitive.type_name());
     const std::size_t mode = document_.whole(primitive, "mode", triangles);
     if (mode > triangle_fan) document_.fail("a mode of 0 to 6", fmt::format("{}", mode));
@@ -292,10 +318,10 @@ class GltfParser {
     if (attributes == primitive.end() || !attributes->is_object() || !attributes->contains("POSITION")) {
       document_.fail("positions of each primitive", "none");
     }
-    const Key key = key_of(primitive, *attributes, shown.skin.get());
+    const std::size_t key = number_of_key(primitive, *attributes, shown.skin.get());
     const auto [entry, is_new] = first_vertices.try_emplace(key, vertex_count_);
-    const std::size_t count = document_.element_count(key.front());
-    if (is_new) grow(count);
+    const std::size_t count = document_.element_count(document_.whole(*attributes, "POSITION", std::nullopt));
+    if (is_new) grow(count + targets_of(primitive).size());
     std::shared_ptr<const Vertices>& vertices = vertices_of_[key];
     if (!vertices)
       vertices = std::make_shared<const Vertices>(vertices_with(primitive, *attributes, shown.skin.get()));
@@ -341,6 +367,7 @@ class GltfParser {
     Key key{document_.whole(attributes, "POSITION", std::nullopt),
             document_.whole(attributes, "NORMAL", none)};
     for (const json& target : targets_of(primitive)) {
+      if (!target.is_object()) document_.fail("objects as targets", target.type_name());
       key.push_back(document_.whole(target, "POSITION", none));
       key.push_back(document_.whole(target, "NORMAL", none));
     }
@@ -359,9 +386,6 @@ class GltfParser {
     const auto targets = primitive.find("targets");
     if (targets == primitive.end()) return none;
     if (!targets->is_array()) document_.fail("a list \"targets\"", targets->type_name());
-    for (const json& target : *targets) {
-      if (!target.is_object()) document_.fail("objects as targets", target.type_name());
-    }
     return *targets;
   }
 
@@ -443,7 +467,7 @@ class GltfParser {
     }
   }
 
-  /// Throws Error where instances of meshes grow out of proportion.
+  /// Throws Error where instances of meshes and skins grow out of proportion.
   void grow(std::size_t count) {
     corners_ += count;
     if (corners_ / most_corners_a_byte > document_.bytes()) {
@@ -475,8 +499,11 @@ class GltfParser {
   PolygonSoup soup_;
   std::vector<std::uint8_t> has_mesh_been_shown_;
   std::shared_ptr<MovingVertices> vertices_;
-  std::vector<glm::dmat4> rest_;  // of nodes, to the world
-  std::map<Key, std::shared_ptr<const Vertices>> vertices_of_;
+  std::vector<glm::dmat4> rest_;                                            // of nodes, to the world
+  std::map<Key, std::size_t> keys_;                                         // their numbers
+  std::map<std::pair<const json*, std::size_t>, std::size_t> key_numbers_;  // of a primitive and joints
+  std::map<std::size_t, std::shared_ptr<const Vertices>> vertices_of_;      // by the number of their key
+  std::map<std::size_t, std::shared_ptr<const std::vector<double>>> weights_of_;  // of meshes
   std::map<std::size_t, std::shared_ptr<const Skin>> skins_;
   bool have_all_normals_ = true, have_morphs_normals_ = true;
   std::size_t corners_ = 0, vertex_count_ = 0, normal_count_ = 0, way_count_ = 0;

@@ -36,8 +36,10 @@ GltfScene::GltfScene(const GltfDocument& document, const std::string& animation,
   read_nodes();
   walk();
   read_animations(animation, leave_out);
+  find_moving();
   document_ = nullptr;
   read_.clear();
+  rising_.clear();
 }
 
 std::vector<std::size_t> GltfScene::indices(const json& object, const char* key) const {
@@ -183,7 +185,9 @@ GltfScene::Sampler GltfScene::sampler(const json& animation, const json& channel
   made.numbers =
       numbers(document_->whole(object, "output", std::nullopt), type, std::max<std::size_t>(width, 1));
   const std::vector<double>& times_s = *made.times_s;
-  if (times_s.empty() || !std::is_sorted(times_s.begin(), times_s.end()) || times_s.front() < 0.0)
+  const bool is_known = !rising_.insert(&times_s).second;  // channels share them
+  const auto rise = [&] { return std::is_sorted(times_s.begin(), times_s.end()) && times_s.front() >= 0.0; };
+  if (times_s.empty() || !(is_known || rise()))
     document_->fail(fmt::format("times that rise from 0 in {}", name), times_s.empty() ? "none" : "others");
   const std::size_t values = (made.kind == Kind::cubic ? 3 : 1) * times_s.size();
   made.width = width > 0 ? width : made.numbers->size() / values;
@@ -210,7 +214,7 @@ std::shared_ptr<const std::vector<double>> GltfScene::numbers(std::size_t access
   return known;
 }
 
-std::vector<double> GltfScene::Sampler::at(double time_s, bool is_rotation) const {
+std::vector<double> GltfScene::Sampler::at(double time_s, std::size_t count, bool is_rotation) const {
   const std::vector<double>& times = *times_s;
   const auto value = [&](std::size_t key, std::size_t part = 0) {
     const std::size_t first = kind == Kind::cubic ? (3 * key + part) * width : key * width;
@@ -220,9 +224,9 @@ std::vector<double> GltfScene::Sampler::at(double time_s, bool is_rotation) cons
   const std::size_t middle = kind == Kind::cubic ? point : 0;
   const auto after =
       static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time_s) - times.begin());
-  std::vector<double> result(width);
+  std::vector<double> result(count);
   if (after == 0 || after == times.size() || kind == Kind::step) {
-    std::copy_n(value(after == 0 ? 0 : after - 1, middle), width, result.begin());
+    std::copy_n(value(after == 0 ? 0 : after - 1, middle), count, result.begin());
     return result;
   }
   const std::size_t before = after - 1;
@@ -231,7 +235,7 @@ std::vector<double> GltfScene::Sampler::at(double time_s, bool is_rotation) cons
   if (kind == Kind::cubic) {
     const double t2 = t * t, t3 = t2 * t;
     const double *const out = value(before, tangent_out), *const in = value(after, tangent_in);
-    for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       result[i] = (2.0 * t3 - 3.0 * t2 + 1.0) * a[i] + step_s * (t3 - 2.0 * t2 + t) * out[i] +
                   (3.0 * t2 - 2.0 * t3) * b[i] + step_s * (t3 - t2) * in[i];
     }
@@ -240,7 +244,7 @@ std::vector<double> GltfScene::Sampler::at(double time_s, bool is_rotation) cons
                                        glm::normalize(glm::dquat(b[3], b[0], b[1], b[2])), t);
     result = {turn.x, turn.y, turn.z, turn.w};
   } else {
-    for (std::size_t i = 0; i < width; ++i) result[i] = std::lerp(a[i], b[i], t);
+    for (std::size_t i = 0; i < count; ++i) result[i] = std::lerp(a[i], b[i], t);
   }
   return result;
 }
@@ -248,7 +252,8 @@ std::vector<double> GltfScene::Sampler::at(double time_s, bool is_rotation) cons
 glm::dmat4 GltfScene::Node::at(std::optional<double> time_s) const {
   if (matrix) return *matrix;
   const auto value = [&](Path path) {
-    return time_s && moving[path].width > 0 ? moving[path].at(*time_s, path == rotation) : at_rest[path];
+    const Sampler& sampler = moving[path];
+    return time_s && sampler.width > 0 ? sampler.at(*time_s, sampler.width, path == rotation) : at_rest[path];
   };
   glm::dmat4 transform(1.0);
   if (const std::vector<double> t = value(translation); !t.empty())
@@ -262,15 +267,13 @@ glm::dmat4 GltfScene::Node::at(std::optional<double> time_s) const {
   return transform;
 }
 
-bool GltfScene::moves(std::size_t node) const {
-  for (std::optional<std::size_t> at = node; at; at = nodes_[*at].parent) {
-    const auto& moving = nodes_[*at].moving;
-    if (std::any_of(moving.begin(), moving.begin() + weights,
-                    [](const Sampler& each) { return each.width > 0; })) {
-      return true;
-    }
+void GltfScene::find_moving() {
+  for (const std::size_t index : order_) {  // parents come first
+    Node& node = nodes_[index];
+    node.moves = (node.parent && nodes_[*node.parent].moves) ||
+                 std::any_of(node.moving.begin(), node.moving.begin() + weights,
+                             [](const Sampler& each) { return each.width > 0; });
   }
-  return false;
 }
 
 std::vector<glm::dmat4> GltfScene::to_world(std::optional<double> time_s) const {
@@ -282,10 +285,14 @@ std::vector<glm::dmat4> GltfScene::to_world(std::optional<double> time_s) const 
   return matrices;
 }
 
-std::vector<double> GltfScene::weights_at(std::size_t node, std::optional<double> time_s,
+std::vector<double> GltfScene::weights_at(std::size_t node, std::optional<double> time_s, std::size_t count,
                                           const std::vector<double>& at_rest) const {
   const Sampler& moving = nodes_[node].moving[weights];
-  return time_s && moving.width > 0 ? moving.at(*time_s, false) : at_rest;
+  if (!time_s || moving.width == 0) {
+    const auto kept = static_cast<std::ptrdiff_t>(std::min(count, at_rest.size()));
+    return {at_rest.begin(), at_rest.begin() + kept};
+  }
+  return moving.at(*time_s, std::min(count, moving.width), false);
 }
 
 }  // namespace offing::meshes

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,15 +35,16 @@ class GltfScene {
   const std::vector<std::size_t>& nodes() const { return order_; }
   bool has(std::size_t node) const { return node < nodes_.size() && nodes_[node].is_shown; }
   /// Whether a node or one above it moves; whether its morphs' weights do.
-  bool moves(std::size_t node) const;
+  bool moves(std::size_t node) const { return nodes_[node].moves; }
   bool weights_move(std::size_t node) const { return nodes_[node].moving[weights].width > 0; }
   double end_s() const { return end_s_; }  ///< of the last key; 0 without an animation
 
   /// From the axes of each node of the document to the world's, at a time or, without one, at rest; those
   /// that the scene does not have are the identity.
   std::vector<glm::dmat4> to_world(std::optional<double> time_s) const;
-  /// Weights of a node's morphs where an animation moves them; else those given.
-  std::vector<double> weights_at(std::size_t node, std::optional<double> time_s,
+  /// The first `count` weights of a node's morphs, where an animation moves them; else of those given. Fewer
+  /// where there are fewer.
+  std::vector<double> weights_at(std::size_t node, std::optional<double> time_s, std::size_t count,
                                  const std::vector<double>& at_rest) const;
 
  private:
@@ -56,11 +58,12 @@ class GltfScene {
     std::shared_ptr<const std::vector<double>> times_s;  // never fall
     std::shared_ptr<const std::vector<double>> numbers;  // [keys][width], of cubics [keys][3][width]
 
-    std::vector<double> at(double time_s, bool is_rotation) const;
+    /// The first `count` numbers of the value.
+    std::vector<double> at(double time_s, std::size_t count, bool is_rotation) const;
   };
 
   struct Node {
-    bool is_shown = false;
+    bool is_shown = false, moves = false;
     std::optional<std::size_t> parent = {};
     std::optional<glm::dmat4> matrix = {};            // in place of the three vectors
     std::array<std::vector<double>, 3> at_rest = {};  // by path; empty: none
@@ -76,6 +79,7 @@ class GltfScene {
   void read_animations(const std::string& name, const LeaveOut& leave_out);
   /// Whether all that it moves is free still.
   bool read_animation(std::size_t index, const LeaveOut& leave_out);
+  void find_moving();
   Sampler sampler(const nlohmann::json& animation, const nlohmann::json& channel, std::size_t width,
                   const std::string& name);
   std::shared_ptr<const std::vector<double>> numbers(std::size_t accessor, std::string_view type,
@@ -87,6 +91,7 @@ class GltfScene {
   std::map<std::size_t, std::shared_ptr<const std::vector<double>>> read_;  // by accessor
   std::size_t held_ = 0;                                                    // numbers of animations
   double end_s_ = 0.0;
+  std::set<const std::vector<double>*> rising_;  // times of keys that were checked
 };
 
 }  // namespace offing::meshes

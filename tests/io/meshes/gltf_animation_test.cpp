@@ -1,7 +1,9 @@
 // Meshes of glTF that deform: nodes, morphs and skins that animations move, against the formulas of glTF 2.0.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <initializer_list>
 #include <numbers>
 #include <string>
@@ -264,7 +266,7 @@ TEST(GltfAnimation, DamagedOnesAreRefused) {
   const std::vector<float> two{0, 0, 0, 1, 0, 0};
   EXPECT_EQ(moved(0, "translation", {0, 1}, two), "");
   EXPECT_THAT(moved(3, "translation", {0, 1}, two), HasSubstr("nodes below 1 in animations[0], got 3"));
-  EXPECT_THAT(moved(0, "translation", {1, 0}, two), HasSubstr("times that rise from 0 on in animations[0]"));
+  EXPECT_THAT(moved(0, "translation", {1, 0}, two), HasSubstr("times that rise from 0 in animations[0]"));
   EXPECT_THAT(moved(0, "translation", {0, NAN}, two), HasSubstr("finite numbers in accessors[1]"));
   EXPECT_THAT(moved(0, "translation", {0, 1, 2}, two), HasSubstr("3 values in animations[0], got 6 numbers"));
   EXPECT_THAT(moved(0, "translation", {0, 1}, two, "CUBICSPLINE"), HasSubstr("6 values in animations[0]"));
@@ -283,6 +285,44 @@ TEST(GltfAnimation, DamagedOnesAreRefused) {
   EXPECT_THAT(refusal(zeros.glb(
                   fmt::format(R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":{}}}}}]}}])", huge))),
               HasSubstr("got"));
+}
+
+/// CPU time of reading a file of `count` nodes that show one mesh with `count` targets and one skin of
+/// `count` joints, and of one form of it; the least of three times.
+double seconds_of_crowd(int count) {
+  GltfText text;
+  const int position = text.add("VEC3", 3, corner), times = text.times({0, 1});
+  const int joint = text.add("VEC4", 4, std::vector<float>(12, 0.0f));
+  const int weight = text.add("VEC4", 4, std::vector<float>(12, 1.0f));
+  const int ways = text.add("VEC3", 3, {0, 0, 0, 4, 0, 0});
+  std::string nodes, joints, targets;
+  for (int i = 0; i < count; ++i) {
+    const char* const comma = i == 0 ? "" : ",";
+    nodes += fmt::format(R"({}{{"mesh":0,"skin":0}})", comma);
+    joints += fmt::format("{}{}", comma, i);
+    targets += fmt::format(R"({}{{"POSITION":{}}})", comma, position);
+  }
+  const std::string glb = text.glb(
+      fmt::format(R"("nodes":[{}],"skins":[{{"joints":[{}]}}],"meshes":[{{"primitives":[{{"targets":[{}],)"
+                  R"("attributes":{{"POSITION":{},"JOINTS_0":{},"WEIGHTS_0":{}}}}}]}}],"animations":[{}])",
+                  nodes, joints, targets, position, joint, weight, animation(0, "translation", times, ways)));
+  double least_s = 1e9;
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t start = std::clock();
+    const MeshFile file = parse(glb);
+    const MeshForm form = file.deformation.form_at(0.5);
+    least_s = std::min(least_s, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    EXPECT_EQ(form.positions_m.size(), 3 * static_cast<std::size_t>(count));
+    expect_near(form.positions_m.back(), {2, 1, 0});  // all go with the first joint
+  }
+  return least_s;
+}
+
+// Fails if each node that shows a mesh makes all joints of its skin anew or looks at all targets of the mesh:
+// eight times the file would then take some sixty times as long (bound: 8, limit: 24).
+TEST(GltfAnimation, TimeGrowsWithTheFile) {
+  const double small_s = seconds_of_crowd(500), large_s = seconds_of_crowd(4000);
+  EXPECT_LT(large_s, 24.0 * small_s) << small_s << " s and " << large_s << " s";
 }
 
 }  // namespace

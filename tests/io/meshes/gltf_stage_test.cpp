@@ -105,7 +105,7 @@ TEST(GltfStage, RefusesWrongOnes) {
   };
   EXPECT_EQ(light(R"("type":"point")"), "");
   EXPECT_THAT(light(R"("type":"area")"), HasSubstr("directional, point or spot in lights[0], got area"));
-  EXPECT_THAT(light(R"("type":"point","intensity":-1)"), HasSubstr("from 0 on in lights[0], got -1"));
+  EXPECT_THAT(light(R"("type":"point","intensity":-1)"), HasSubstr("of at least 0 in lights[0], got -1"));
   EXPECT_THAT(light(R"("type":"point","color":[1,1])"), HasSubstr("3 numbers in color"));
   EXPECT_THAT(refusal(json(R"("nodes":[{"extensions":{"KHR_lights_punctual":{"light":0}}}])")),
               HasSubstr("a light 0 of KHR_lights_punctual"));
