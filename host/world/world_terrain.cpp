@@ -76,6 +76,13 @@ WorldTerrain::WorldTerrain(const ocl::Device& device, const TerrainParameters& p
   if (parameters.sees_horizons && field_) open_sky_.emplace(device, *field_);
   make_lakes(parameters);
   make_materials(parameters);
+  make_canopy(parameters);
+}
+
+void WorldTerrain::make_canopy(const TerrainParameters& parameters) {
+  std::optional<terrain::CanopyLayer> canopy;
+  if (parameters.canopy) canopy.emplace(device_, *parameters.canopy);
+  canopy_ = std::move(canopy);
 }
 
 void WorldTerrain::make_materials(const TerrainParameters& parameters) {
@@ -99,6 +106,8 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
   } else if (!open_sky_ && field_) {
     open_sky_.emplace(device_, *field_);
   }
+  if (parameters.canopy != parameters_.canopy) make_canopy(parameters);
+  parameters_.canopy = parameters.canopy;
   if (are_other_colours) colours_ = std::move(colours);
   if (parameters.lakes != parameters_.lakes) make_lakes(parameters);
   parameters_.lakes = parameters.lakes;
@@ -183,7 +192,8 @@ terrain::TerrainAppearance WorldTerrain::look_of(const terrain::Sampling& sampli
           .open_sky = open_sky_ ? &*open_sky_ : nullptr,
           .sea = sea,
           .lakes = lakes_ ? &*lakes_ : nullptr,
-          .materials = materials_ ? &*materials_ : nullptr};
+          .materials = materials_ ? &*materials_ : nullptr,
+          .canopy = canopy_ ? &*canopy_ : nullptr};
 }
 
 void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIllumination& light,

@@ -18,6 +18,7 @@
 #include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/shading/canopy.h"
 #include "host/terrain/shading/colour_layer.h"
 #include "host/terrain/shading/materials.h"
 #include "host/terrain/shading/open_sky.h"
@@ -64,6 +65,7 @@ struct TerrainParameters {
   bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
   std::vector<LakeSettings> lakes = {};
   std::vector<terrain::Material> materials = {};  ///< over the cover by height and slope
+  std::optional<terrain::Canopy> canopy = {};     ///< woods over all of these
 
   bool operator==(const TerrainParameters&) const = default;
 
@@ -161,6 +163,7 @@ class WorldTerrain {
                                      const terrain::SeaOverTerrain& sea) const;
   void make_lakes(const TerrainParameters& parameters);
   void make_materials(const TerrainParameters& parameters);
+  void make_canopy(const TerrainParameters& parameters);
   /// How lakes look to this camera.
   void look_at_lakes(const Camera& camera, const terrain::TerrainIllumination& light);
   void paint(const Camera& camera, const terrain::TerrainIllumination& light,
@@ -186,6 +189,7 @@ class WorldTerrain {
   std::optional<terrain::OpenSky> open_sky_;
   std::optional<terrain::LakeLayer> lakes_;
   std::optional<terrain::MaterialLayer> materials_;
+  std::optional<terrain::CanopyLayer> canopy_;
   double time_s_ = 0.0;
   TerrainImage image_, beneath_, mirrored_;
   bool is_in_reach_ = false, is_mirrored_ = false;

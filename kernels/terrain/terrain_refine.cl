@@ -1,6 +1,7 @@
 // The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/terrain_light.clh.
 // In:  heights, maxima, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
-//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many; with LAKES lakes and with RELIEF relief as terrain/terrain_shade.cl has them.
+//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many; with LAKES lakes, with RELIEF relief and with CANOPY a canopy as
+//      terrain/terrain_shade.cl has them.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
 #include "terrain/endless.clh"
 #include "terrain/terrain_light.clh"
@@ -89,6 +90,9 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              const TerrainRelief relief_params, __global const float *restrict relief_m,
                              __global const float *restrict relief_maxima_m,
 #endif
+#ifdef CANOPY
+                            const TerrainCanopy canopy, __global const uint *restrict canopy_map,
+#endif
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map,
                            materials
@@ -97,6 +101,9 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
 #endif
 #ifdef RELIEF
                            , {relief_m, relief_maxima_m, relief_params}
+#endif
+#ifdef CANOPY
+                           , {canopy, canopy_map}
 #endif
   };
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;

@@ -4,7 +4,8 @@
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
 //      terrain/open_sky.cl, materials (shared/terrain_materials.h): of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
-//      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh.
+//      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh. With CANOPY a canopy of
+//      shared/terrain_canopy.h and its map, as colours: where it has none, anything.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
@@ -55,6 +56,9 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             const TerrainRelief relief_params, __global const float *restrict relief_m,
                             __global const float *restrict relief_maxima_m,
 #endif
+#ifdef CANOPY
+                            const TerrainCanopy canopy, __global const uint *restrict canopy_map,
+#endif
                             __global float4 *restrict image, __global float4 *restrict edges) {
   const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map,
                            materials
@@ -63,6 +67,9 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
 #endif
 #ifdef RELIEF
                            , {relief_m, relief_maxima_m, relief_params}
+#endif
+#ifdef CANOPY
+                           , {canopy, canopy_map}
 #endif
   };
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;

@@ -132,6 +132,7 @@ FileFilter filter_of_row(std::string_view key) {
                                                      {"clouds.soft_billboards", FileFilter::pictures},
                                                      {"terrain.file", FileFilter::height_maps},
                                                      {"terrain.colour", FileFilter::aerial_pictures},
+                                                     {"terrain.canopy.map", FileFilter::aerial_pictures},
                                                      {"ocean.spectrum_file", FileFilter::spectra},
                                                      {"ocean.modes_file", FileFilter::single_waves},
                                                      {"body.hydrodynamics", FileFilter::hydrodynamics}});

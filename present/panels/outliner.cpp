@@ -336,7 +336,7 @@ std::vector<scene::ParameterGroup> groups_beside(ObjectKind kind) {
     case ObjectKind::wake:
       return {wake_hull};
     case ObjectKind::terrain:
-      return {height_map, material, walk};
+      return {height_map, material, canopy, walk};
     case ObjectKind::cloud_layer:
       return {clouds};
     case ObjectKind::cloud:

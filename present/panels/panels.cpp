@@ -150,6 +150,7 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
     case ParameterGroup::material:
+    case ParameterGroup::canopy:
     case ParameterGroup::walk:
     case ParameterGroup::lake:
       return scene.terrain.is_given;
@@ -433,6 +434,7 @@ std::span<const GroupPanel> group_panels() {
        {ParameterGroup::terrain, "Ground", "terrain land map mountains"},
        {ParameterGroup::height_map, "Height map", "terrain geotiff elevation"},
        {ParameterGroup::material, "Materials", "terrain ground rock sand grass soil colour"},
+       {ParameterGroup::canopy, "Woods", "terrain forest trees canopy"},
        {ParameterGroup::walk, "Walk"},
        {ParameterGroup::lake, "Lakes", "water tarn pond reservoir"},
        {ParameterGroup::mesh, "Meshes", "object model shape ship boat"},

@@ -310,6 +310,55 @@ TEST_F(SceneTerrainTest, HasTheMaterialsOfTheScene) {
   EXPECT_TRUE(prepare_terrain(scene_of("[terrain]\nposts = 5\n"))->materials.empty());
 }
 
+// Fails if woods of a scene do not end at its tree line, values are mixed up, or a new height of theirs makes
+// the heights of the ground anew.
+TEST_F(SceneTerrainTest, HasTheWoodsOfTheScene) {
+  const std::string ground = "[terrain]\nposts = 5\ntree_line_m = 900\n";
+  EXPECT_FALSE(prepare_terrain(scene_of(ground))->canopy);
+  EXPECT_FALSE(prepare_terrain(scene_of(ground + "[terrain.canopy]\nheight_m = 9\n"))->canopy);
+  const Scene before = scene_of(ground +
+                                "[terrain.canopy]\nshare = 0.5\nlowest_m = 7\nedge_m = 3\npatch_m = 100\n"
+                                "steepest_deg = 90\nheight_m = 9\ncolour = [0.1, 0.2, 0.3]\n");
+  const auto now = prepare_terrain(before);
+  ASSERT_TRUE(now->canopy);
+  const terrain::Canopy& wood = *now->canopy;
+  EXPECT_EQ(wood.share, 0.5);
+  EXPECT_EQ(wood.lowest_m, 7.0);
+  EXPECT_EQ(wood.highest_m, 900.0);
+  EXPECT_EQ(wood.edge_m, 3.0);
+  EXPECT_EQ(wood.patch_m, 100.0);
+  EXPECT_NEAR(wood.steepest_rad, 1.5708, 1e-4);
+  EXPECT_EQ(wood.height_m, 9.0);
+  EXPECT_EQ(wood.colour.g, 0.2);
+  Scene after = before;
+  after.terrain.canopy.wood.height_m = 20.0;
+  const auto edited = edited_terrain(now, before, after);
+  EXPECT_EQ(edited->map, now->map);
+  EXPECT_EQ(edited->canopy->height_m, 20.0);
+  EXPECT_EQ(
+      prepare_terrain(scene_of(ground + "[terrain.canopy]\nshare = 1\nhighest_m = 80\n"))->canopy->highest_m,
+      80.0);
+}
+
+// Fails if the picture of a scene's woods is not read as their cover, is read again for another colour, or
+// its faults do not name their place.
+TEST_F(SceneTerrainTest, ReadsPicturesOfWoods) {
+  write_png(folder_.path() / "woods.png", {2, 1, {255, 255, 255, 0, 60, 30}});
+  const std::string made = "[terrain]\nposts = 9\n[terrain.canopy]\nmap = ";
+  const Scene before = scene_of(made + "\"woods.png\"\n", folder_.path());
+  const auto now = prepare_terrain(before);
+  ASSERT_TRUE(now->canopy);
+  EXPECT_THAT(now->canopy->map->rgba, testing::ElementsAre(0, 0, 0, 255, 0, 0, 0, 30));
+  Scene after = before;
+  after.terrain.canopy.wood.colour.r = 0.5;
+  EXPECT_EQ(edited_terrain(now, before, after)->canopy->map, now->canopy->map);
+  after.terrain.canopy.map.clear();
+  EXPECT_FALSE(edited_terrain(now, before, after)->canopy);
+  EXPECT_THAT(
+      fault_of(made + "\"none.png\"\n", folder_.path()),
+      HasSubstr("valley.toml:5:7: terrain.canopy.map: expected a picture of the woods, got no such file"));
+}
+
 /// Two pits in 9 x 5 posts 10 m apart: 3 m at (-20, 0), 4 m at (20, 0); a saddle of 7 m between them, 9 m
 /// around.
 std::string pits(const std::filesystem::path& folder) {

@@ -4,6 +4,7 @@
 
 #include "kernels/shared/sun_blocks.h"
 #include "kernels/shared/terrain.h"
+#include "kernels/shared/terrain_canopy.h"
 #include "kernels/shared/terrain_light_params.h"
 #include "kernels/shared/terrain_look.h"
 #include "kernels/shared/terrain_materials.h"
@@ -65,6 +66,14 @@ TEST(TerrainLayoutTest, TerrainMaterial) {
                       {"like", "roughness", "edge_m", "of_broad", "patches"}),
             (Layout{sizeof(S), offsetof(S, like), offsetof(S, roughness), offsetof(S, edge_m),
                     offsetof(S, of_broad), offsetof(S, patches)}));
+}
+
+TEST(TerrainLayoutTest, TerrainCanopy) {
+  using S = TerrainCanopy;
+  EXPECT_EQ(layout_of("shared/terrain_canopy.h", "TerrainCanopy",
+                      {"height_m", "lowest_m", "patch_log2", "patches", "map_columns", "map_a_cell_z"}),
+            (Layout{sizeof(S), offsetof(S, height_m), offsetof(S, lowest_m), offsetof(S, patch_log2),
+                    offsetof(S, patches), offsetof(S, map_columns), offsetof(S, map_a_cell_z)}));
 }
 
 TEST(TerrainLayoutTest, TerrainSight) {

@@ -59,6 +59,8 @@ const char* title(ParameterGroup group) {
       return "Height map";
     case ParameterGroup::material:
       return "Materials";
+    case ParameterGroup::canopy:
+      return "Woods";
     case ParameterGroup::walk:
       return "Walk";
     case ParameterGroup::lake:

@@ -84,6 +84,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
       terrain::materials_of(scenery.landscape, world::landscape_lines(scenery.lines));
   std::optional<terrain::MaterialLayer> materials;
   if (!laid.empty()) look.materials = &materials.emplace(device, laid);
+  std::optional<terrain::CanopyLayer> canopy;
+  if (scenery.canopy) look.canopy = &canopy.emplace(device, *scenery.canopy);
   std::optional<terrain::LakeLayer> lakes;
   if (!scenery.lakes.empty()) {
     std::vector<std::shared_ptr<const terrain::Lake>> filled;

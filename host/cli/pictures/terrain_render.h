@@ -28,7 +28,8 @@ struct TerrainScenery {
   bool sees_horizons = true;              ///< whether ground hides the sky from ground
   std::vector<world::LakeSettings> lakes = {};
   terrain::Landscape landscape = terrain::Landscape::plain;
-  double relief = 1.0;  ///< strength of relief between posts, near the eye
+  std::optional<terrain::Canopy> canopy = {};  ///< woods; none: there are none
+  double relief = 1.0;                         ///< strength of relief between posts, near the eye
 };
 
 /// What a picture shows.

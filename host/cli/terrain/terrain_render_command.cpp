@@ -42,6 +42,7 @@ struct RenderSettings {
   std::optional<double> tree_line_m, snow_line_m;
   scene::SkyVisibility sky_visibility = scene::SkyVisibility::on;
   terrain::Landscape landscape = terrain::Landscape::plain;
+  terrain::Canopy canopy;
   double relief = 1.0;
   int samples = 0;  ///< 0: as many as a pixel needs
   TerrainShow show = TerrainShow::light;
@@ -51,7 +52,7 @@ struct TerrainRenderArguments {
   TerrainInput input;
   CacheFlags cache;
   PlaceFlags places;
-  std::string camera = "fly", size = "1280x720", output, depth, sun, colour;
+  std::string camera = "fly", size = "1280x720", output, depth, sun, colour, canopy_map;
   std::vector<std::string> lakes;
   SettingOptions<RenderSettings> settings;
   bool json = false;
@@ -81,6 +82,11 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
                       "whether surrounding ground blocks light from the sky; off for tile stores")},
           {scene::choice(&RenderSettings::landscape, names_in_scene("terrain.landscape")),
            like_scene("terrain.landscape", "--landscape", "set of materials on the ground")},
+          {scene::path(&RenderSettings::canopy, &terrain::Canopy::share),
+           like_scene("terrain.canopy.share", "--canopy-share",
+                      "share of the ground below the tree line that woods cover, 0 for none")},
+          {scene::path(&RenderSettings::canopy, &terrain::Canopy::height_m),
+           like_scene("terrain.canopy.height_m", "--canopy-height-m")},
           {&RenderSettings::relief, like_scene("terrain.relief", "--relief")},
           {&RenderSettings::samples,
            {.key = "samples",
@@ -112,9 +118,16 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
   scenery.lines.sea_level_m = settings.sea_level_m;
   scenery.lines.tree_line_m = settings.tree_line_m.value_or(scenery.lines.tree_line_m);
   scenery.lines.snow_line_m = settings.snow_line_m.value_or(scenery.lines.snow_line_m);
+  scenery.canopy = terrain::wood_of(settings.canopy, nullptr, scenery.lines.tree_line_m);
   if (settings.samples > 0) scenery.sampling = {.rays = settings.samples, .least_contrast = -1.0};
   scenery.exposure_ev = settings.exposure_ev;
   return scenery;
+}
+
+/// Puts the woods of `--canopy-map` in place of those of `--canopy-share`.
+void plant(ColourMap picture, const RenderSettings& settings, TerrainScenery& scenery) {
+  scenery.canopy =
+      terrain::wood_of(settings.canopy, terrain::cover_map(std::move(picture)), scenery.lines.tree_line_m);
 }
 
 /// Of `--lake X,Z` and `--lake X,Z,LEVEL`.
@@ -182,6 +195,10 @@ Rendered render_map(const TerrainRenderArguments& arguments, const RenderSetting
   if (arguments.camera == "walk") stand_on_relief(terrain::posts_of(file.map), scenery, camera);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
+  if (!arguments.canopy_map.empty()) {
+    plant(read_colour_map(arguments.canopy_map, file.map, {.trust = arguments.input.trust()}), settings,
+          scenery);
+  }
   add_lakes(arguments, system, terrain::posts_of(file.map), scenery);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
@@ -198,6 +215,10 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   if (!arguments.colour.empty()) {
     scenery.colours =
         read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});
+  }
+  if (!arguments.canopy_map.empty()) {
+    plant(read_colour_map(arguments.canopy_map, scene::place_of(header), {.trust = arguments.input.trust()}),
+          settings, scenery);
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache.read());
@@ -225,7 +246,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
   for (const std::string& file : {arguments.output, arguments.depth}) {
     require_new(file, arguments.existing,
-                {{arguments.input.file(), arguments.colour}, arguments.input.trust()});
+                {{arguments.input.file(), arguments.colour, arguments.canopy_map}, arguments.input.trust()});
   }
   const auto [camera, eye, picture] = is_tile_store(arguments.input.file())
                                           ? render_store(arguments, settings, options)
@@ -280,6 +301,8 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   add("--colour", arguments->colour, "FILE",
       "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference; stretched "
       "over the map if it has none");
+  add("--canopy-map", arguments->canopy_map, "FILE",
+      "picture of the woods, white where they are dense, placed as --colour; replaces --canopy-share");
   command
       ->add_option("--lake", arguments->lakes,
                    "draw the lake at this place, full or up to a LEVEL in m; may be repeated")

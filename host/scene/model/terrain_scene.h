@@ -7,12 +7,19 @@
 #include "host/io/height_maps/height_map_options.h"
 #include "host/ocean/surface/water_optics.h"
 #include "host/terrain/generate/fractal_terrain.h"
+#include "host/terrain/shading/canopy.h"
 #include "host/terrain/shading/materials.h"
 
 namespace offing::scene {
 
 /// Whether ground around a place hides the sky's light from it.
 enum class SkyVisibility { off, on };
+
+/// [terrain.canopy]: woods over the ground.
+struct CanopyScene {
+  std::string map;       ///< picture of the cover; empty: where the rules say
+  terrain::Canopy wood;  ///< without its map
+};
 
 /// The terrain of a scene: a file of heights or, without one, generated terrain.
 struct TerrainScene {
@@ -28,7 +35,8 @@ struct TerrainScene {
   SkyVisibility sky_visibility = SkyVisibility::off;
   terrain::Landscape landscape = terrain::Landscape::plain;
   std::vector<terrain::Material> materials;  ///< [[terrain.material]]: over those of the landscape
-  double relief = 1.0;                       ///< strength of relief between posts, near the eye; 0: none
+  CanopyScene canopy;
+  double relief = 1.0;  ///< strength of relief between posts, near the eye; 0: none
 };
 
 /// [[lake]]: still water in a basin of the terrain.

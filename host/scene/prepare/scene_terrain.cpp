@@ -126,15 +126,18 @@ Heights read_heights(const Scene& scene) {
   });
 }
 
+/// Of the ground, placed on its heights.
+ColourMap read_picture(const Scene& scene, const Heights& heights, const std::string& file) {
+  return heights.map ? read_colour_map(file, *heights.map, trust_in(scene, file))
+                     : read_colour_map(file, place_of(TileStore(scene.terrain.file, scene.trust).header()),
+                                       trust_in(scene, file));
+}
+
 std::shared_ptr<const ColourMap> read_colours(const Scene& scene, const Heights& heights) {
   const std::string& file = scene.terrain.colour;
   if (file.empty()) return nullptr;
-  return read_named(scene, "terrain.colour", "a picture of the ground", file, [&] {
-    return std::make_shared<const ColourMap>(
-        heights.map ? read_colour_map(file, *heights.map, trust_in(scene, file))
-                    : read_colour_map(file, place_of(TileStore(scene.terrain.file, scene.trust).header()),
-                                      trust_in(scene, file)));
-  });
+  return read_named(scene, "terrain.colour", "a picture of the ground", file,
+                    [&] { return std::make_shared<const ColourMap>(read_picture(scene, heights, file)); });
 }
 
 /// The scene's lines, else those of the map's latitude. Below a sea nothing is painted as water.
@@ -159,6 +162,22 @@ std::vector<terrain::Material> materials_of(const Scene& scene, const world::Cov
       terrain::materials_of(scene.terrain.landscape, world::landscape_lines(lines));
   materials.insert(materials.end(), scene.terrain.materials.begin(), scene.terrain.materials.end());
   return materials;
+}
+
+/// Its woods; the map of their cover is kept of a scene with the same, `before`.
+std::optional<terrain::Canopy> woods_of(const Scene& scene, const Heights& heights,
+                                        const world::CoverLines& lines,
+                                        const std::optional<world::TerrainParameters>& now,
+                                        const Scene* before) {
+  const CanopyScene& canopy = scene.terrain.canopy;
+  const bool is_same_map =
+      before != nullptr && before->terrain.canopy.map == canopy.map && now && now->canopy;
+  std::shared_ptr<const ColourMap> map = is_same_map ? now->canopy->map : nullptr;
+  if (!canopy.map.empty() && !map) {
+    map = read_named(scene, "terrain.canopy.map", "a picture of the woods", canopy.map,
+                     [&] { return terrain::cover_map(read_picture(scene, heights, canopy.map)); });
+  }
+  return terrain::wood_of(canopy.wood, std::move(map), lines.tree_line_m);
 }
 
 /// Where a scene says where a lake is.
@@ -220,6 +239,7 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
       .relief = scene.terrain.relief,
       .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
   terrain.materials = materials_of(scene, terrain.lines);
+  terrain.canopy = woods_of(scene, heights, terrain.lines, now, before);
   const terrain::TerrainExtent extent = terrain.extent();
   terrain.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
   terrain.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);

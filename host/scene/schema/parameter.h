@@ -37,6 +37,7 @@ enum class ParameterGroup {
   terrain,
   height_map,
   material,
+  canopy,
   walk,
   lake,
   light,

@@ -27,6 +27,7 @@ Schema<BookmarkScene> bookmark_schema();
 
 Schema<TerrainScene> terrain_schema();
 Schema<terrain::Material> material_schema();
+Schema<CanopyScene> canopy_schema();
 Schema<LakeScene> lake_schema();
 Schema<LightScene> light_schema();
 Schema<MeshScene> mesh_schema();

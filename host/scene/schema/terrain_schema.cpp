@@ -264,7 +264,8 @@ Schema<TerrainScene> terrain_schema() {
   return schema.rows(ParameterGroup::terrain, Affects::heights, made_rows())
       .rows(ParameterGroup::height_map, Affects::heights, file_rows())
       .rows(ParameterGroup::terrain, Affects::cover, place_rows())
-      .list(&TerrainScene::materials, max_materials, material_schema());
+      .list(&TerrainScene::materials, max_materials, material_schema())
+      .section(&TerrainScene::canopy, canopy_schema());
 }
 
 }  // namespace offing::scene

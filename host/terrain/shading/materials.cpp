@@ -8,8 +8,6 @@ namespace offing::terrain {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
-constexpr float all_deviations = -1e3f;  // beyond all noise
-constexpr double least_share = 1e-6;
 
 /// Below how many deviations this share of a normal distribution is (Winitzki 2008).
 double deviations_below(double share) {
@@ -36,9 +34,7 @@ TerrainMaterial device_material(const Material& material, std::size_t number) {
   made.of_patch = number % 2 == 0 ? 0.75f : -0.75f;
   made.of_broad = number / 2 % 2 == 0 ? 0.5f : -0.5f;
   made.of_fine = 0.43f;
-  made.patches = material.share >= 1.0 - least_share
-                     ? all_deviations
-                     : narrow(-deviations_below(std::max(material.share, least_share)));
+  made.patches = narrow(patch_threshold(material.share));
   return made;
 }
 
@@ -53,6 +49,12 @@ std::optional<double> degrees(double angle_deg) {
 }
 
 }  // namespace
+
+double patch_threshold(double share) {
+  constexpr double all_deviations = -1e3;  // beyond all noise
+  constexpr double least_share = 1e-6;
+  return share >= 1.0 - least_share ? all_deviations : -deviations_below(std::max(share, least_share));
+}
 
 // Albedos are those of broadband tables (Oke 1987, Boundary layer climates, table 1.1) with colours of
 // photographs.

@@ -32,6 +32,9 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
+/// How many deviations noise exceeds on this share of the ground; beyond all noise for all of it.
+double patch_threshold(double share);
+
 /// Materials of a landscape. `plain` has none: the ground's own cover is all there is.
 enum class Landscape { plain, alpine, desert, tropical, volcanic };
 

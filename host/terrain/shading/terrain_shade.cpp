@@ -34,23 +34,32 @@ bool shows_relief(const TerrainAppearance& look) {
 
 /// Of kernels of the same terrain.
 std::size_t variant(const TerrainAppearance& look) {
-  return (look.lakes != nullptr ? 1u : 0u) + (shows_relief(look) ? 2u : 0u);
+  return (look.lakes != nullptr ? 1u : 0u) + (shows_relief(look) ? 2u : 0u) +
+         (look.canopy != nullptr ? 4u : 0u);
 }
 
 ocl::Defines defines_of(const TerrainAppearance& look, ocl::Defines of_terrain) {
   if (look.lakes != nullptr) of_terrain.set_flag("LAKES");
   if (shows_relief(look)) of_terrain.set_flag("RELIEF");
+  if (look.canopy != nullptr) of_terrain.set_flag("CANOPY");
   return of_terrain;
 }
 
-/// Launches a kernel with the arguments of lakes and of relief, where there are any.
+/// Launches a kernel with the arguments of lakes, of relief and of woods, where there are any.
 template <class Launch>
 void with_extras(const TerrainAppearance& look, const Launch& launch) {
+  const auto with_woods = [&](const auto&... others) {
+    if (look.canopy != nullptr) {
+      launch(others..., look.canopy->params(), look.canopy->texels());
+    } else {
+      launch(others...);
+    }
+  };
   const auto with_relief = [&](const auto&... lakes) {
     if (shows_relief(look)) {
-      launch(lakes..., look.relief->params(), look.relief->heights_m(), look.relief->maxima_m());
+      with_woods(lakes..., look.relief->params(), look.relief->heights_m(), look.relief->maxima_m());
     } else {
-      launch(lakes...);
+      with_woods(lakes...);
     }
   };
   if (look.lakes != nullptr) {

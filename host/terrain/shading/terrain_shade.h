@@ -13,6 +13,7 @@
 #include "host/terrain/cast/relief_surface.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/lakes/lake_layer.h"
+#include "host/terrain/shading/canopy.h"
 #include "host/terrain/shading/colour_layer.h"
 #include "host/terrain/shading/materials.h"
 #include "host/terrain/shading/open_sky.h"
@@ -67,6 +68,7 @@ struct TerrainAppearance {
   SeaOverTerrain sea = {};
   const LakeLayer* lakes = nullptr;          ///< nullptr: none
   const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; nullptr: none
+  const CanopyLayer* canopy = nullptr;       ///< woods over all of these; nullptr: none
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
   const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
@@ -112,9 +114,9 @@ class TerrainShade {
 
   ocl::Device device_;
   ocl::KernelTuning rays_;
-  // Built when they are first asked for: plain, with lakes, with relief, with both; those of tiles by
+  // Built when they are first asked for, by which of lakes, relief and woods there are; those of tiles by
   // MapEdge.
-  using Variants = std::array<std::optional<Kernels>, 4>;
+  using Variants = std::array<std::optional<Kernels>, 8>;
   Variants map_kernels_;
   std::array<Variants, 3> tile_kernels_;
   ocl::Kernel contrast_kernel_;

@@ -124,7 +124,7 @@ struct ValueEdit {
   const char* text;
   bool is_seen = true;
 };
-constexpr std::array<ValueEdit, 30> value_edits{{{"wind.speed_mps", "16"},
+constexpr std::array<ValueEdit, 31> value_edits{{{"wind.speed_mps", "16"},
                                                  {"ocean.hs_m", "2"},
                                                  {"ocean.choppiness", "0.2"},
                                                  {"ocean.gerstner.count", "4"},
@@ -136,6 +136,7 @@ constexpr std::array<ValueEdit, 30> value_edits{{{"wind.speed_mps", "16"},
                                                  {"terrain.relief_m", "90"},
                                                  {"terrain.vertical_scale", "2", false},
                                                  {"terrain.material.share", "0.1", false},
+                                                 {"terrain.canopy.share", "0.7", false},
                                                  {"walk.eye_height_m", "3", false},
                                                  {"mesh.size_m", "9"},
                                                  {"mesh.highlight.opacity", "0.3", false},

@@ -223,9 +223,10 @@ present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions u
     usual.scene.ocean.parameters.size = size;
   }
   if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::material ||
-      group == scene::ParameterGroup::walk) {
+      group == scene::ParameterGroup::canopy || group == scene::ParameterGroup::walk) {
     usual.scene.terrain.is_given = usual.scene.ocean.is_given = true;
     usual.scene.terrain.fractal.posts = 33;
+    usual.scene.terrain.canopy.wood.share = group == scene::ParameterGroup::canopy ? 0.5 : 0.0;
     // A scene that says where its eye is: nothing else places it.
     usual.scene.view.camera.eye_m.y = 2500.0;
     usual.scene.set_at.emplace("camera.y_m", "the test");

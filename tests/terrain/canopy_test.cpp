@@ -1,0 +1,176 @@
+// Woods over ground: where they grow, how light falls on them, and what is left of crowns that are smaller
+// than a pixel. Pictures of level ground in red light, with one ray a pixel.
+#include "host/terrain/shading/canopy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/terrain/terrain_painter.h"
+
+namespace offing {
+namespace {
+
+using terrain::Canopy;
+using terrain::Texel;
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+/// A plain or a slope of 2.56 km without shores, trees' end or snow. The sun is in the east.
+class CanopyTest : public testing::Test {
+ protected:
+  static constexpr int posts_a_side = 129, side_px = 96;
+  static constexpr double spacing_m = 20.0, side_m = spacing_m * (posts_a_side - 1);
+
+  void make(double rise, double sun_elevation_deg) {
+    map_ = {.name = "made",
+            .grid = {.columns = posts_a_side,
+                     .rows = posts_a_side,
+                     .spacing_x_m = spacing_m,
+                     .spacing_z_m = spacing_m},
+            .heights_m = {}};
+    for (int row = 0; row < posts_a_side; ++row) {
+      for (int column = 0; column < posts_a_side; ++column)
+        map_.heights_m.push_back(static_cast<float>(rise * spacing_m * column));
+    }
+    test::PaintedTerrain scene;
+    scene.sun_elevation_rad = sun_elevation_deg * radians_per_degree;
+    scene.light.sea_level_m = scene.light.beach_line_m = scene.light.still_water_m = -1e6f;
+    scene.light.tree_line_m = scene.light.snow_line_m = 1e6f;
+    painter_ = std::make_unique<test::TerrainPainter>(map_, scene);
+  }
+
+  /// Of a square about a place, from so far away: 90 degrees up is from above, yaw 0 looks north.
+  Camera camera(double x_m, double shown_m, double distance_m, double up_deg, double yaw_deg) const {
+    const double up_rad = up_deg * radians_per_degree, yaw_rad = yaw_deg * radians_per_degree;
+    const double level_m = distance_m * std::cos(up_rad);
+    return {.eye_m = {x_m - level_m * std::sin(yaw_rad), distance_m * std::sin(up_rad),
+                      0.5 * side_m + level_m * std::cos(yaw_rad)},
+            .yaw_rad = yaw_rad,
+            .pitch_rad = -up_rad,
+            .vertical_field_of_view_rad = 2.0 * std::atan(0.5 * shown_m / distance_m),
+            .width_px = side_px,
+            .height_px = side_px};
+  }
+
+  std::vector<Texel> draw(const Camera& camera, const std::optional<Canopy>& canopy) {
+    std::optional<terrain::CanopyLayer> layer;
+    if (canopy) layer.emplace(painter_->device(), *canopy);
+    return painter_->draw(camera, {.sampling = {.rays = 1}, .canopy = layer ? &*layer : nullptr});
+  }
+
+  /// Between these shares of the picture's width.
+  static double mean_red(const std::vector<Texel>& image, double from = 0.0, double to = 1.0) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t pixel = 0; pixel < image.size(); ++pixel) {
+      const double x = (static_cast<double>(pixel % side_px) + 0.5) / side_px;
+      if (x < from || x > to) continue;
+      sum += static_cast<double>(image[pixel][0]);
+      ++count;
+    }
+    return sum / count;
+  }
+
+  test::HeightMap map_;
+  std::unique_ptr<test::TerrainPainter> painter_;
+};
+
+// Fails if woods grow at other heights than the scene says: on a slope of 5 degrees from 0 to 224 m, from 80
+// to 150 m. Where there are none, the picture is that without woods, to the last bit. In a dense wood the
+// dark crowns and their shadows leave less than half of the light of a meadow.
+TEST_F(CanopyTest, GrowBetweenTheirHeights) {
+  const double rise = std::tan(5.0 * radians_per_degree), whole_m = rise * side_m;
+  make(rise, 35.0);
+  const Camera above = camera(0.5 * side_m, side_m, 20e3, 90.0, 0.0);
+  const std::vector<Texel> plain = draw(above, {}), wooded = draw(above, Canopy{.colour = glm::dvec3(0.03),
+                                                                                .lowest_m = 80.0,
+                                                                                .highest_m = 150.0,
+                                                                                .edge_m = 4.0,
+                                                                                .share = 1.0});
+  double largest = 0.0;
+  for (std::size_t pixel = 0; pixel < plain.size(); ++pixel) {
+    const double height_m = whole_m * (static_cast<double>(pixel % side_px) + 0.5) / side_px;
+    if (height_m > 65.0 && height_m < 165.0) continue;
+    largest = std::max(largest, std::abs(static_cast<double>(plain[pixel][0] - wooded[pixel][0])));
+  }
+  EXPECT_EQ(largest, 0.0);
+  const double from = 90.0 / whole_m, to = 140.0 / whole_m;
+  EXPECT_LT(mean_red(wooded, from, to), 0.5 * mean_red(plain, from, to));
+}
+
+// Fails if the map does not say where woods are: white in the west, black in the east, transparent in a strip
+// between. As it decides alone, the rules' share of 0 has no part.
+TEST_F(CanopyTest, GrowWhereTheMapSays) {
+  make(0.0, 35.0);
+  ColourMap picture{
+      .columns = 4, .rows = 1, .rgba = {}, .left = 0.0, .top = 0.0, .right = 128.0, .bottom = 128.0};
+  picture.rgba = {255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 0, 255, 0, 0, 0, 255};
+  const Camera above = camera(0.5 * side_m, side_m, 20e3, 90.0, 0.0);
+  const std::vector<Texel> plain = draw(above, {});
+  const std::optional<Canopy> wood =
+      terrain::wood_of({.colour = glm::dvec3(0.03)}, terrain::cover_map(picture), 2000.0);
+  ASSERT_TRUE(wood);
+  const std::vector<Texel> wooded = draw(above, wood);
+  EXPECT_LT(mean_red(wooded, 0.0, 0.1), 0.5 * mean_red(plain, 0.0, 0.1));
+  EXPECT_EQ(mean_red(wooded, 0.45, 1.0), mean_red(plain, 0.45, 1.0));
+  EXPECT_FALSE(terrain::wood_of({}, nullptr, 2000.0));
+}
+
+// Fails if woods cover another share of the ground. The map shows some tens of patches: 0.1 of the share.
+// Under a high sun, as woods shade the meadows beside them.
+TEST_F(CanopyTest, CoverTheirShare) {
+  make(0.0, 80.0);
+  const Camera above = camera(0.5 * side_m, side_m, 20e3, 90.0, 0.0);
+  Canopy wood{.colour = glm::dvec3(0.03), .share = 1.0, .patch_m = 200.0};
+  const double none = mean_red(draw(above, {})), all = mean_red(draw(above, wood));
+  for (const double share : {0.2, 0.5, 0.8}) {
+    wood.share = share;
+    EXPECT_NEAR((mean_red(draw(above, wood)) - none) / (all - none), share, 0.1) << share;
+  }
+}
+
+// Fails if a wood gets brighter or darker where its crowns are smaller than a pixel: a square of 60 m in
+// pixels of 0.6 m against one in pixels of 30 m. Fits of the means are within 12 %.
+TEST_F(CanopyTest, KeepTheirLightFarAway) {
+  for (const double sun_deg : {20.0, 50.0}) {
+    make(0.0, sun_deg);
+    for (const double up_deg : {90.0, 50.0, 25.0}) {
+      for (const double yaw_deg : {90.0, 0.0, -90.0}) {
+        const Canopy wood{.share = 1.0};
+        const Camera near = camera(0.5 * side_m, 60.0, 300.0, up_deg, yaw_deg);
+        Camera far = near;
+        far.width_px = far.height_px = 2;
+        const double fine = mean_red(draw(near, wood));
+        double coarse = 0.0;
+        for (const Texel& texel : draw(far, wood)) coarse += 0.25 * static_cast<double>(texel[0]);
+        EXPECT_NEAR(coarse / fine, 1.0, 0.12)
+            << "sun " << sun_deg << ", view " << up_deg << ", " << yaw_deg << ": " << fine;
+      }
+    }
+  }
+}
+
+// Fails if crowns do not shade one another: from 35 degrees above the ground, a wood is at least twice as
+// bright with the sun behind the eye as against it. A meadow is not, nor a wood from straight above.
+TEST_F(CanopyTest, AreDarkAgainstTheSun) {
+  make(0.0, 35.0);
+  const Canopy wood{.share = 1.0};
+  const auto ratio = [&](const std::optional<Canopy>& canopy, double up_deg) {
+    const double x_m = 0.5 * side_m;
+    return mean_red(draw(camera(x_m, 100.0, 200.0, up_deg, -90.0), canopy)) /
+           mean_red(draw(camera(x_m, 100.0, 200.0, up_deg, 90.0), canopy));
+  };
+  EXPECT_GT(ratio(wood, 35.0), 2.0);
+  EXPECT_LT(ratio({}, 35.0), 1.3);
+  EXPECT_NEAR(ratio(wood, 90.0), 1.0, 0.1);
+}
+
+}  // namespace
+}  // namespace offing
