@@ -1,15 +1,21 @@
 #include "present/editing/scene_editing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
+#include "host/scene/schema/scene_elements.h"
 #include "present/editing/cloud_overlay.h"
+#include "present/editing/objects/pushed_value.h"
 #include "present/editing/objects/selection.h"
 #include "present/output/camera_path.h"
 
@@ -17,14 +23,68 @@ namespace offing::present {
 
 namespace {
 
+/// Of the still sea at a place; beyond the map it is deep.
+double depth_m(LiveSea& sea, const scene::Scene& scene, glm::dvec2 place_m) {
+  const std::optional<double> ground_m =
+      sea.terrain() != nullptr ? sea.terrain()->surface_m(place_m.x, place_m.y) : std::nullopt;
+  return ground_m ? scene.sea_level_m() - *ground_m : std::numeric_limits<double>::infinity();
+}
+
+glm::dvec2 place_of(const scene::BodyScene& body) {
+  return {body.x_m, body.z_m};
+}
+
 /// Bodies that start where the ground is above the still sea.
-std::vector<std::string> bodies_on_land(LiveSea& sea, const scene::Scene& scene) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; sea.terrain() != nullptr && i < scene.bodies.size(); ++i) {
-    const std::optional<double> ground_m = sea.terrain()->surface_m(scene.bodies[i].x_m, scene.bodies[i].z_m);
-    if (ground_m && *ground_m > scene.sea_level_m()) names.push_back(label_of(scene, {ObjectKind::body, i}));
+std::vector<std::size_t> bodies_on_land(LiveSea& sea, const scene::Scene& scene) {
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (depth_m(sea, scene, place_of(scene.bodies[i])) < 0.0) bodies.push_back(i);
   }
-  return names;
+  return bodies;
+}
+
+/// The nearest place, in steps of a tenth, where a body of this size has water below and around it, and no
+/// other body beside it.
+std::optional<glm::dvec2> nearest_water_m(LiveSea& sea, const scene::Scene& scene, std::size_t body,
+                                          double size_m) {
+  constexpr int directions = 48, points = 8;
+  constexpr double farthest_m = 20e3, growth = 1.1, least_depth = 0.15;  // of its size
+  const auto beside = [](glm::dvec2 place_m, double away_m, int number, int count) {
+    const double angle_rad = 2.0 * std::numbers::pi * number / count;
+    return place_m + away_m * glm::dvec2(std::cos(angle_rad), std::sin(angle_rad));
+  };
+  const auto is_free = [&](glm::dvec2 place_m) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      if (i != body && glm::distance(place_of(scene.bodies[i]), place_m) < 2.0 * size_m) return false;
+    }
+    for (int i = 0; i < points; ++i) {
+      for (const double away_m : {0.0, size_m}) {
+        if (depth_m(sea, scene, beside(place_m, away_m, i, points)) < least_depth * size_m) return false;
+      }
+    }
+    return true;
+  };
+  for (double away_m = size_m; away_m < farthest_m; away_m *= growth) {
+    for (int i = 0; i < directions; ++i) {
+      const glm::dvec2 place_m = beside(place_of(scene.bodies[body]), away_m, i, directions);
+      if (is_free(place_m)) return place_m;
+    }
+  }
+  return {};
+}
+
+/// Moves a body that new ground has covered to water, unless lines hold it; what there is to say of it.
+std::string move_to_water(LiveSea& sea, scene::Scene& scene, std::size_t body) {
+  const std::string name = label_of(scene, {ObjectKind::body, body});
+  const std::optional<std::size_t> hull = hull_of_body(scene, body);
+  const bool is_known = scene.bodies[body].moorings.empty() && hull && *hull < sea.meshes().size();
+  const std::optional<glm::dvec2> place_m =
+      is_known ? nearest_water_m(sea, scene, body, sea.meshes()[*hull].surface().diagonal_m()) : std::nullopt;
+  if (!place_m) return fmt::format("\non land now: {}; move it to water, or move the terrain", name);
+  const glm::dvec2 way_m = *place_m - place_of(scene.bodies[body]);
+  push_value(scene, "body.x_m", {body, 0}, std::round(way_m.x));
+  push_value(scene, "body.z_m", {body, 0}, std::round(way_m.y));
+  return fmt::format("\n{} would be on land: moved {:.0f} m, to the nearest water", name, glm::length(way_m));
 }
 
 }  // namespace
@@ -85,15 +145,21 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change)
   work([&] {
     scene::Scene edited = state_.scene;
     std::string news = change(edited);
-    const std::vector<std::string> before = bodies_on_land(sea_, state_.scene);
+    const bool is_other_ground =
+        !edited.bodies.empty() &&
+        (edited.terrain.is_given != state_.scene.terrain.is_given ||
+         scene::differ_in(scene::Affects::heights | scene::Affects::cover, state_.scene, edited));
+    const std::vector<std::size_t> before = bodies_on_land(sea_, state_.scene);
     state_.scene = std::move(edited);
-    finish(Edit::done);
+    // The ground and what it moves are one edit.
+    finish(is_other_ground ? Edit::going_on : Edit::done);
     if (state_.message.is_fault) return Edit::none;
-    std::vector<std::string> on_land = bodies_on_land(sea_, state_.scene);
-    std::erase_if(on_land, [&](const std::string& name) { return std::ranges::count(before, name) > 0; });
-    if (!on_land.empty())
-      news +=
-          fmt::format("\non land now: {}; move it to water, or move the terrain", fmt::join(on_land, ", "));
+    if (is_other_ground) {
+      for (const std::size_t body : bodies_on_land(sea_, state_.scene)) {
+        if (std::ranges::find(before, body) == before.end()) news += move_to_water(sea_, state_.scene, body);
+      }
+      finish(Edit::done);
+    }
     if (!state_.message.text.empty()) news += '\n' + state_.message.text;
     state_.message = {.text = std::move(news)};
     return Edit::none;

@@ -38,7 +38,7 @@ bool choose_genus(const char* label, clouds::Genus& genus) {
 void draw_tools(CloudEditing& editing) {
   ImGui::TextUnformatted("clicks pick");
   for (std::size_t i = 0; i < cloud_pick_names.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i % 2 > 0) ImGui::SameLine(0.5f * side_text_em * ImGui::GetFontSize());
     const auto pick = static_cast<CloudPick>(i);
     if (!ImGui::RadioButton(cloud_pick_names[i], editing.pick == pick && editing.tool == CloudTool::pick))
       continue;
@@ -48,7 +48,7 @@ void draw_tools(CloudEditing& editing) {
   }
   if (ImGui::RadioButton("place balls", editing.tool == CloudTool::place_ball))
     editing.tool = CloudTool::place_ball;
-  ImGui::SameLine();
+  ImGui::SameLine(0.5f * side_text_em * ImGui::GetFontSize());
   if (ImGui::RadioButton("place clouds", editing.tool == CloudTool::place_cloud))
     editing.tool = CloudTool::place_cloud;
   if (editing.tool != CloudTool::pick) choose_genus("genus of new clouds", editing.genus);
@@ -171,12 +171,14 @@ Edit draw_cloud_panel(ViewState& state, LiveSea& sea) {
   Edit edit = Edit::none;
   if (ImGui::Begin("Cloud editor", nullptr,
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
-    ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+    ImGui::PushItemWidth(side_item_em * ImGui::GetFontSize());
+    ImGui::PushTextWrapPos(side_text_em * ImGui::GetFontSize());
     draw_tools(editing);
     if (!editing.picked.empty()) edit = std::max(edit, draw_picked_part(state));
     if (!editing.particles.empty()) edit = std::max(edit, draw_picked_particles(state));
     edit = std::max(edit, draw_sun(state));
     draw_costs(state, sea);
+    ImGui::PopTextWrapPos();
     ImGui::PopItemWidth();
   }
   state.layout.end_right();

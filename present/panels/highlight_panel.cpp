@@ -73,9 +73,9 @@ Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>&
   if (drawn == nullptr) return Edit::none;
   state.layout.place_right();
   ImGui::Begin("Highlight", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+  ImGui::PushItemWidth(side_item_em * ImGui::GetFontSize());
   const scene::MeshScene& mesh = state.scene.meshes[state.picked->mesh];
-  ImGui::PushTextWrapPos(24.0f * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(side_text_em * ImGui::GetFontSize());
   if (drawn->rule < 0) {
     ImGui::TextDisabled("of %s, where the lights put it; an edit makes it a highlight of its own",
                         mesh.name.c_str());

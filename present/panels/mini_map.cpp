@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <imgui.h>
@@ -21,6 +23,7 @@ constexpr std::array<glm::dvec3, 4> tints{
     {{0.45, 0.60, 0.40}, {0.80, 0.78, 0.55}, {0.65, 0.52, 0.42}, {0.97, 0.97, 0.98}}};
 // Where maps have their light from.
 constexpr double light_elevation = 0.25 * std::numbers::pi;
+constexpr glm::dvec3 shallow(0.68, 0.83, 0.93), deep(0.35, 0.55, 0.75);
 constexpr ImU32 camera_colour = IM_COL32(213, 94, 0, 255), cone_colour = IM_COL32(213, 94, 0, 70);
 
 glm::dvec3 tint(double share) {
@@ -32,9 +35,13 @@ glm::dvec3 tint(double share) {
 
 }  // namespace
 
-std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, int width, int height) {
+std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, std::optional<double> sea_level_m, int width,
+                                           int height) {
   const auto [low, high] = std::minmax_element(map.heights_m.begin(), map.heights_m.end());
-  const double lowest_m = *low, range_m = std::max(1e-3, static_cast<double>(*high) - *low);
+  const double shore_m = sea_level_m.value_or(-std::numeric_limits<double>::infinity());
+  const double lowest_m = std::max(shore_m, static_cast<double>(*low)),
+               range_m = std::max(1e-3, static_cast<double>(*high) - lowest_m),
+               deepest_m = std::max(1e-3, lowest_m - *low);
   const double step_x = (map.columns - 1.0) / width, step_z = (map.rows - 1.0) / height;
   const auto height_m = [&](int column, int row) {
     const int x = std::clamp(static_cast<int>((column + 0.5) * step_x), 0, map.columns - 1),
@@ -52,8 +59,10 @@ std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, int width, int 
                              (2.0 * step_z * map.spacing_z_m);
       const double light =
           std::max(0.0, glm::dot(glm::normalize(glm::dvec3(-slope_x, 1.0, -slope_z)), to_light));
-      const glm::dvec3 colour =
-          tint((height_m(column, row) - lowest_m) / range_m) * (0.35 + 0.65 * light / to_light.y);
+      const double above_m = height_m(column, row) - lowest_m;
+      const bool is_water = height_m(column, row) < shore_m;
+      const glm::dvec3 colour = is_water ? glm::mix(shallow, deep, -above_m / deepest_m)
+                                         : tint(above_m / range_m) * (0.35 + 0.65 * light / to_light.y);
       for (int channel = 0; channel < 3; ++channel) {
         pixels.push_back(static_cast<unsigned char>(std::lround(255.0 * std::min(1.0, colour[channel]))));
       }
@@ -62,18 +71,19 @@ std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, int width, int 
   return pixels;
 }
 
-void MiniMap::show(const world::TerrainParameters& terrain) {
+void MiniMap::show(const world::TerrainParameters& terrain, std::optional<double> sea_level_m) {
   origin_m_ = {terrain.origin_x_m, terrain.origin_z_m};
-  if (width_px_ > 0 && map_ == terrain.map && tiles_ == terrain.tiles) return;
+  if (width_px_ > 0 && map_ == terrain.map && tiles_ == terrain.tiles && sea_level_m_ == sea_level_m) return;
   map_ = terrain.map;
+  sea_level_m_ = sea_level_m;
   tiles_ = terrain.tiles;
   const terrain::TerrainExtent extent = terrain.extent();
   size_m_ = {extent.width_m, extent.depth_m};
   const double scale = longest_side_px / std::max(size_m_.x, size_m_.y);
   width_px_ = std::max(8, static_cast<int>(std::lround(size_m_.x * scale)));
   height_px_ = std::max(8, static_cast<int>(std::lround(size_m_.y * scale)));
-  const std::vector<unsigned char> pixels =
-      shaded(map_ ? *map_ : terrain::overview_of(tiles_->map, tiles_->read), width_px_, height_px_);
+  const std::vector<unsigned char> pixels = shaded(
+      map_ ? *map_ : terrain::overview_of(tiles_->map, tiles_->read), sea_level_m, width_px_, height_px_);
   texture_ = GlTexture::make();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_.name());

@@ -147,6 +147,17 @@ void open_row(ViewState& state, const SceneObject& object, PanelEdits& edits) {
   }
 }
 
+/// A name that is too long for its row ends in dots.
+std::string shortened(std::string name, float width_px) {
+  if (ImGui::CalcTextSize(name.c_str()).x <= width_px) return name;
+  const auto is_within_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+  while (!name.empty() && ImGui::CalcTextSize((name + "...").c_str()).x > width_px) {
+    while (!name.empty() && is_within_letter(name.back())) name.pop_back();
+    if (!name.empty()) name.pop_back();
+  }
+  return name + "...";
+}
+
 constexpr float eye_ems = 1.6f;
 
 /// At the end of a row: an eye that is open, or struck through where the meshes are hidden.
@@ -223,6 +234,7 @@ bool draw_row(ViewState& state, const SceneObject& object, RowShow show, bool ha
     if (!is_selected) select_object(state, object);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) open_row(state, object, edits);
   }
+  const float name_px = corner.x + indent + 1.1f * em, name_end_px = ImGui::GetItemRectMax().x;
   const float top = ImGui::GetWindowPos().y, end = top + ImGui::GetWindowHeight();
   const bool is_whole = ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y <= end;
   if (show == RowShow::newly_selected && !is_whole) ImGui::SetScrollHereY();
@@ -230,8 +242,8 @@ bool draw_row(ViewState& state, const SceneObject& object, RowShow show, bool ha
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = corner.y + 0.5f * ImGui::GetTextLineHeight();
   list.AddCircleFilled({corner.x + indent + 0.4f * em, middle}, 0.28f * em, colour_of(object.kind));
-  list.AddText({corner.x + indent + 1.1f * em, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
-               label_of(state.scene, object).c_str());
+  list.AddText({name_px, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
+               shortened(label_of(state.scene, object), name_end_px - name_px).c_str());
   if (!meshes.empty()) draw_eye(state, meshes, edits);
   return is_open;
 }
@@ -294,7 +306,10 @@ void draw_object_values(ViewState& state, const SceneObject& object, PanelEdits&
   if (object.kind == ObjectKind::bookmark) draw_view_buttons(state, object.index, edits);
   if (object.kind == ObjectKind::camera)
     ImGui::TextDisabled("Fly with W A S D and the mouse. A bookmark is a view with handles.");
-  for (const scene::ParameterGroup group : groups_of(object.kind)) {
+  const std::vector<scene::ParameterGroup> groups = groups_of(object.kind);
+  for (const scene::ParameterGroup group : groups) {
+    const auto panel = std::ranges::find(group_panels(), group, &GroupPanel::group);
+    if (groups.size() > 1) ImGui::TextDisabled("%s", panel->title);
     note_edit(draw_presets(state.scene, group, {object.index, 0}), group, state, edits);
     for (const scene::Parameter& row : scene::parameter_table()) {
       if (row.group != group || &row == name_row(object.kind)) continue;

@@ -57,6 +57,8 @@ inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
 
 /// Of the main panel's width, for what a value is changed with; its name is beside it.
 inline constexpr float item_share = 0.42f;
+/// In panels at the right: the same, and where lines of text end, in heights of letters.
+inline constexpr float side_item_em = 7.0f, side_text_em = 16.0f;
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {

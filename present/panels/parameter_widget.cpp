@@ -206,8 +206,29 @@ class Widget {
     }
     if (is_set) return draw(*at);
     at.reset();
-    ImGui::TextDisabled("%s", words_of(row_).c_str());
+    draw_absent();
     return was_set ? Edit::done : Edit::none;
+  }
+
+  /// In the place of a widget, with the name beside it.
+  void draw_absent() {
+    const float width = ImGui::CalcItemWidth();
+    const std::string text = absent_text(width);
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::SameLine(width + ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextDisabled("%s", words_of(row_).c_str());
+    ImGui::EndGroup();
+  }
+
+  /// What holds without a value: as a number, if it is known, else in words, if they have room.
+  std::string absent_text(float width) const {
+    const auto computed = edit_.computed.find(row_.key);
+    if (computed != edit_.computed.end()) return fmt::format("auto: {:.3g}", computed->second);
+    const std::string words(row_.absent.substr(0, row_.absent.find_first_of(":;,")));
+    return ImGui::CalcTextSize(words.c_str()).x <= width ? words : "auto";
   }
 
   Edit number(double& at) {

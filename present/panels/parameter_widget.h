@@ -1,8 +1,10 @@
 #pragma once
 
 #include <any>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,13 +30,14 @@ struct HeldSlider {
   bool opens = false;  ///< in the next frame
 };
 
-/// What is kept while a value is edited: one at a time.
+/// What is kept while a value is edited, one at a time, and what widgets show beside the scene.
 struct EditInProgress {
   std::any before = {};                                                ///< the value
   std::vector<std::pair<scene::ValueKey, KeyframeTrack>> tracks = {};  ///< its keyframes
   std::string fault = {};                       ///< why the last value was refused; empty if it was taken
   std::optional<scene::ValueKey> browsed = {};  ///< a row whose file is to be chosen in a dialog
   HeldSlider slider = {};
+  std::map<std::string_view, double> computed = {};  ///< values that the scene leaves open, by their keys
 };
 
 /// A row's name in words, without its unit: "direction" of `wind.direction_deg`.

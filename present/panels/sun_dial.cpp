@@ -128,7 +128,7 @@ Edit draw_sun_dial(scene::Scene& scene, const sky::SunAngles& now) {
   if (ImGui::IsItemDeactivated()) edit = Edit::done;
   draw_map(middle, radius, now);
   ImGui::SameLine();
-  ImGui::Text("sun at %.0f deg,\n%.1f deg high", now.azimuth_rad * 180.0 / std::numbers::pi,
+  ImGui::Text("sun at\n%.0f deg,\n%.1f deg\nhigh", now.azimuth_rad * 180.0 / std::numbers::pi,
               now.elevation_rad * 180.0 / std::numbers::pi);
   return std::max(edit, draw_hour(scene));
 }

@@ -113,6 +113,12 @@ void LiveSea::warn() {
   warning_ = std::move(warning);
 }
 
+std::map<std::string_view, double> LiveSea::computed_values() const {
+  const ocean::FoamParameters& foam = world_->parameters().ocean.foam;
+  if (!world_->has_sea() || !foam.fraction || foam.onset_jacobian) return {};
+  return {{"ocean.foam.fraction", *foam.fraction}};
+}
+
 void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
   // All but the clouds is shown at once.

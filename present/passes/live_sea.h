@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,6 +63,8 @@ class LiveSea {
   double edit_s() const { return edit_s_; }
   /// What there is to say about the scene, scene::steepness_warning(); logged when it comes up.
   const std::string& warning() const { return warning_; }
+  /// What values that the scene leaves open are, by their keys.
+  std::map<std::string_view, double> computed_values() const;
   /// What is shown.
   const scene::Scene& scene() const { return scene_; }
   /// That of the last edit that began: with clouds that are still being made.

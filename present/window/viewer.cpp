@@ -542,12 +542,16 @@ PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   // A view is no edit, but files keep it.
   const bool has_moved = !are_same_view(state_.camera.camera(), options_.scene.view.camera);
-  if (sea_.terrain() && state_.shows_map) map_.show(sea_.terrain()->parameters());
+  if (sea_.terrain() && state_.shows_map) {
+    const bool has_sea = sea_.scene().has_sea();
+    map_.show(sea_.terrain()->parameters(), has_sea ? std::optional(sea_.sea_level_m()) : std::nullopt);
+  }
   const auto need = [&](std::string_view text) { panels_.need(text); };
   for_shown_names(state_, scene_list_, need);
   files_.for_shown_names(need);
   record_.for_shown_names(need);
   panels_.set_look(state_.look);
+  state_.edit.computed = sea_.computed_values();
   panels_.begin();
   editing_.draw(screen(), input_.pointer());
   PanelEdits edits =

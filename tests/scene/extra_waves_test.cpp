@@ -105,8 +105,8 @@ TEST(ExtraWaves, AreInTheSeaOfTheScene) {
   }
 }
 
-// Fails if a ring that water cannot form is passed over in silence, or one that it can is not: k A = 0.44 is
-// the steepest wave; or if rings hide that swells are too steep.
+// Fails if a ring that water cannot form is passed over in silence, or one that it can is not: 0.0706 of
+// its length is the largest amplitude of a wave; or if rings hide that swells are too steep.
 TEST(ExtraWaves, TooSteepRingsAreTold) {
   const auto warning = [](const std::string& more) {
     const Scene scene = scene_with(more);
@@ -116,8 +116,8 @@ TEST(ExtraWaves, TooSteepRingsAreTold) {
   const std::string steep = "[[ocean.raindrop]]\namplitude_m = -0.0708\nwavelength_m = 1\n";
   EXPECT_EQ(warning(gentle), "");
   EXPECT_EQ(warning(gentle + steep),
-            "1 of 2 raindrops start steeper than real waves can be: a ring of amplitude_m = -0.0708 and "
-            "wavelength_m = 1 has k A = 0.445, waves break at 0.44");
+            "1 of 2 raindrops start steeper than real waves can be: a ring of wavelength_m = 1 has "
+            "amplitude_m = -0.0708, and such waves break at 0.0706");
   const std::string both = warning(steep + "[[ocean.swell]]\namplitude_m = 20\n");
   EXPECT_NE(both.find("the swells have a choppiness"), std::string::npos) << both;
   EXPECT_NE(both.find("; 1 of 1 raindrops"), std::string::npos) << both;

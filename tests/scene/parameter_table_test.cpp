@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Table, EachParameter,
 TEST_P(EachParameter, IsCompleteAndNamed) {
   const Parameter& row = GetParam();
   EXPECT_FALSE(row.help.empty());
+  EXPECT_EQ(row.help.find("[["), std::string_view::npos)
+      << "the window shows it to people who write no files";
   EXPECT_FALSE(default_text(row).empty()) << "neither a default nor a text for its absence";
   EXPECT_TRUE(row.flag.empty() || row.flag.starts_with("--"));
   const std::string key(row.key);

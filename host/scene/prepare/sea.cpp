@@ -76,32 +76,33 @@ std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& ger
                       : scene.ocean.gerstner_count != 0 ? "Gerstner waves and swells"
                                                         : "swells";
   return fmt::format(
-      "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, and with "
-      "more choppiness they would fold",
-      waves, horizontal.scale, gerstner_waves.choppiness, horizontal.steepness);
+      "the {} have a choppiness of {:.3g} instead of {:g}: they are so steep together that their crests "
+      "would "
+      "fold over. Lower or longer waves keep it",
+      waves, horizontal.scale, gerstner_waves.choppiness);
 }
 
-/// The steepest wave of deep water is 0.1412 of its length high: k A = pi 0.1412 (Michell 1893).
-constexpr double breaking_steepness = std::numbers::pi * 0.1412;
+/// The steepest wave of deep water is 0.1412 of its length high, twice its amplitude (Michell 1893).
+constexpr double breaking_amplitude = 0.5 * 0.1412;  // of the wavelength
 
 /// Rings are drawn at any height, since they do not move sideways; so they do not fold, but look wrong.
 std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
   const auto steepness = [](const ocean::Raindrop& drop) {
-    return 2.0 * std::numbers::pi * std::abs(drop.amplitude_m) / drop.wavelength_m;
+    return std::abs(drop.amplitude_m) / drop.wavelength_m;
   };
   std::size_t count = 0;
   const ocean::Raindrop* steepest = nullptr;
   for (const ocean::Raindrop& drop : drops) {
-    if (steepness(drop) <= breaking_steepness) continue;
+    if (steepness(drop) <= breaking_amplitude) continue;
     ++count;
     if (steepest == nullptr || steepness(drop) > steepness(*steepest)) steepest = &drop;
   }
   if (steepest == nullptr) return {};
   return fmt::format(
-      "{} of {} raindrops start steeper than real waves can be: a ring of amplitude_m = {:g} and "
-      "wavelength_m = {:g} has k A = {:.3g}, waves break at {:.2f}",
-      count, drops.size(), steepest->amplitude_m, steepest->wavelength_m, steepness(*steepest),
-      breaking_steepness);
+      "{} of {} raindrops start steeper than real waves can be: a ring of wavelength_m = {:g} has "
+      "amplitude_m = {:g}, and such waves break at {:.3g}",
+      count, drops.size(), steepest->wavelength_m, steepest->amplitude_m,
+      breaking_amplitude * steepest->wavelength_m);
 }
 
 void log_warnings(const Scene& scene, const Sea& sea) {

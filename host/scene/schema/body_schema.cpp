@@ -28,7 +28,7 @@ std::vector<Row<BodyScene>> load_rows() {
             .rule = ParameterRule::name}},
           {&BodyScene::mesh,
            {.key = "mesh",
-            .help = "name of the [[mesh]] that floats; it must be closed, with faces outward. Its position "
+            .help = "name of the mesh that floats; it must be closed, with faces outward. Its position "
                     "and turns are then relative to the body: bow +x, up +y",
             .example = "hull",
             .absent = "the first mesh",

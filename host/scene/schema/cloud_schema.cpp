@@ -142,7 +142,7 @@ std::vector<Row<CloudScene>> cloud_place_rows() {
             .absent = "none",
             .rule = ParameterRule::name}},
           {choice(&CloudScene::genus, genera()),
-           {.key = "genus", .help = "genus, which sets the default of every other key"}},
+           {.key = "genus", .help = "genus, which sets the default of every other value"}},
           {path(position, &glm::dvec3::x),
            {.key = "x_m",
             .unit = "m",

@@ -61,7 +61,7 @@ std::string needs_image(const UseContext& context, const HighlightScene& highlig
 std::vector<Row<HighlightScene>> choosing_rows() {
   return {{&HighlightScene::light,
            {.key = "light",
-            .help = "change only highlights of this light: the name of a [[light]], or sun",
+            .help = "change only highlights of this light: the name of a light, or sun",
             .example = "sun",
             .absent = "all lights",
             .rule = ParameterRule::name}},

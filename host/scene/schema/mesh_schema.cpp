@@ -178,7 +178,7 @@ std::vector<Row<MeshScene>> place_rows() {
             .scale = radians_per_degree}},
           {&MeshScene::aboard,
            {.key = "aboard",
-            .help = "name of a [[body]] that carries it. Position and turns are then relative to the body: "
+            .help = "name of a body that carries it. Position and turns are then relative to the body: "
                     "bow +x, up +y, starboard +z",
             .example = "ship",
             .absent = "none: it is placed in the world",
@@ -204,7 +204,7 @@ std::vector<Row<MeshScene>> mesh_look_rows() {
        {.key = "specular",
         .low = 0.0,
         .high = 1.0,
-        .help = "strength of a plain Blinn highlight, in addition to those of [[mesh.highlight]]",
+        .help = "strength of a plain Blinn highlight, in addition to those that can be shaped",
         .motion = keyed}},
       {path(material, &MeshMaterial::shininess),
        {.key = "shininess",

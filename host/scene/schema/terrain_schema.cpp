@@ -244,7 +244,7 @@ std::vector<Row<TerrainScene>> place_rows() {
         .absent = "none: colours by height and slope",
         .rule = ParameterRule::file_name}},
       {choice(&TerrainScene::landscape, {"plain", "alpine", "desert", "tropical", "volcanic"}),
-       {.key = "landscape", .help = "set of materials on the ground; [[terrain.material]] adds more"}},
+       {.key = "landscape", .help = "set of materials on the ground; materials of your own come on top"}},
       {&TerrainScene::relief,
        {.key = "relief",
         .low = 0.0,

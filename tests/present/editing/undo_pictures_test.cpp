@@ -13,6 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "host/scene/file/scene_file.h"
@@ -295,28 +298,47 @@ TEST_F(UndoPicturesTest, OfObjects) {
   });
 }
 
-// Fails if a boat that new terrain covers is not named.
-TEST_F(UndoPicturesTest, BoatsOnLandAreReported) {
+// Fails if a boat that new terrain covers is not moved to water, in the same step of undo, or not named where
+// there is no water within 20 km.
+TEST_F(UndoPicturesTest, BoatsOnLandMoveToWater) {
   const TemporaryFolder folder;
-  const auto open_plain = [&](int height_m) {
-    const std::filesystem::path map = folder.path() / ("plain_" + std::to_string(height_m) + ".asc");
+  const auto open_plain = [&](int height_m, int side_m) {
+    const std::string name = fmt::format("plain_{}_{}.asc", height_m, side_m);
+    const std::filesystem::path map = folder.path() / name;
     std::ofstream file(map);
-    file << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 900\n";
+    file << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize " << side_m << '\n';
     for (int post = 0; post < 4; ++post) file << height_m << ' ';
     file.close();
     editing_->make([&](scene::Scene& scene) {
       std::string news = add_dropped(scene, map, DroppedKind::height_map, {});
-      scene.terrain.origin_x_m = scene.terrain.origin_z_m = -450.0;
+      scene.terrain.origin_x_m = scene.terrain.origin_z_m = -0.5 * side_m;
       return news;
     });
     EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
   };
-  open_plain(-30);
+  const auto place = [&] { return glm::dvec2(state_.scene.bodies[0].x_m, state_.scene.bodies[0].z_m); };
+  const glm::dvec2 start = place();
+  editing_->make([](scene::Scene& scene) {
+    scene.bodies[0].moorings.clear();
+    return std::string();
+  });
+  open_plain(-30, 900);
   EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << state_.message.text;
+  EXPECT_EQ(place(), start);
   editing_->undo();
-  open_plain(40);
+  open_plain(40, 900);
+  EXPECT_NE(state_.message.text.find("boat would be on land: moved"), std::string::npos)
+      << state_.message.text;
+  EXPECT_GT(std::max(std::abs(place().x), std::abs(place().y)), 450.0);
+  EXPECT_LT(glm::length(place()), 700.0);
+  EXPECT_EQ(sea_->scene().bodies[0].x_m, place().x) << "the world has another one";
+  editing_->undo();
+  EXPECT_EQ(place(), start);
+  EXPECT_EQ(state_.scene.terrain.file, "") << "one step takes both back";
+  open_plain(40, 90'000);
   EXPECT_NE(state_.message.text.find("on land now: boat"), std::string::npos) << state_.message.text;
-  open_plain(50);
+  EXPECT_EQ(place(), start);
+  open_plain(50, 90'000);
   EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << "it was before";
 }
 

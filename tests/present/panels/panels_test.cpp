@@ -179,6 +179,36 @@ TEST_F(PanelsTest, SlidersReachTheirRange) {
   EXPECT_EQ(scene_.ocean.wakes.front().history_s, 60.0);
 }
 
+// Fails if a value that the scene leaves open does not show as what the world takes, or its name is
+// elsewhere than beside a value that is set.
+TEST_F(PanelsTest, ValuesInForceShow) {
+  const scene::Parameter& row = *scene::find_parameter("ocean.foam.fraction");
+  EditInProgress edit;
+  float name_ends = 0.0f;
+  const auto picture = [&] {
+    target_.bind();
+    glClear(GL_COLOR_BUFFER_BIT);
+    frame([&] {
+      parameter_widget(scene_, row, edit);
+      name_ends = ImGui::GetItemRectMax().x;
+    });
+    return target_.read_bytes();
+  };
+  picture();
+  const std::vector<unsigned char> unknown = picture();
+  edit.computed["ocean.foam.fraction"] = 0.02;
+  const std::vector<unsigned char> little = picture();
+  EXPECT_EQ(picture(), little);
+  const float name_ends_without = name_ends;
+  edit.computed["ocean.foam.fraction"] = 0.3;
+  const std::vector<unsigned char> much = picture();
+  EXPECT_NE(little, unknown);
+  EXPECT_NE(much, little);
+  scene_.ocean.parameters.foam.fraction = 0.1;
+  picture();
+  EXPECT_NEAR(name_ends, name_ends_without, 1.0f);
+}
+
 // Fails if a value that has no default cannot be set and taken away again.
 TEST_F(PanelsTest, OptionalValuesComeAndGo) {
   const scene::Parameter& row = *scene::find_parameter("ocean.depth_m");

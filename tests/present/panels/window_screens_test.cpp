@@ -129,10 +129,9 @@ class WindowScreensTest : public WindowTest, public testing::WithParamInterface<
     ImGuiWindow* list = list_of_objects();
     ASSERT_NE(list, nullptr);
     const float row_px = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
-    // A second click at the same place would rename.
-    while (ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] <
-           double{ImGui::GetIO().MouseDoubleClickTime})
-      turn();
+    // A second click at the same place would rename. ImGui's own clock stands while the window rests.
+    const double end_s = glfwGetTime() + double{ImGui::GetIO().MouseDoubleClickTime};
+    while (glfwGetTime() < end_s) turn();
     ImGui::SetScrollY(main_panel(), 0.0f);
     ImGui::SetScrollY(list, std::max(0.0f, (number - 1.0f) * row_px));
     // Panels that nothing happens to are drawn now and then alone.

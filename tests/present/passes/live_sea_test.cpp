@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/ocean/surface/foam_onset.h"
 #include "host/scene/file/scene_file.h"
 #include "tests/ocl/log_capture.h"
 #include "tests/present/gl_test.h"
@@ -114,6 +115,21 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
   edited.ocean.swells.clear();
   sea_->edit(edited);
   EXPECT_EQ(sea_->warning(), "");
+}
+
+// Fails if the foam that the wind makes is not told, or told where the scene says how much there is.
+TEST_F(LiveSeaTest, KnowsTheFoamOfTheWind) {
+  scene::Scene edited = scene_;
+  for (const double wind_mps : {8.0, 20.0}) {
+    edited.wind.wind_speed_mps = wind_mps;
+    sea_->edit(edited);
+    const auto computed = sea_->computed_values();
+    ASSERT_TRUE(computed.contains("ocean.foam.fraction"));
+    EXPECT_NEAR(computed.at("ocean.foam.fraction"), ocean::whitecap_fraction(wind_mps), 1e-12);
+  }
+  edited.ocean.parameters.foam.onset_jacobian = 0.5;
+  sea_->edit(edited);
+  EXPECT_TRUE(sea_->computed_values().empty());
 }
 
 // Fails if the height is not that of the water that is shown there.
