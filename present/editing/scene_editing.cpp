@@ -128,9 +128,23 @@ std::optional<Sphere> SceneEditing::selected_place(const Screen& screen) const {
   const std::optional<Sphere> part =
       held_sphere(state_, {state_.scene, sea_.clouds(), state_.clock.time_s()});
   if (part) return part;
+  const std::optional<SceneObject> object = selected_object(state_);
+  if (object && object->kind == ObjectKind::terrain && sea_.terrain() != nullptr) return middle_of_terrain();
   const std::optional<HeldPlace> place = held_place(state_, sea_, screen);
   if (!place || place->aims) return {};
   return place->sphere;
+}
+
+/// The middle of the map, and so much around it that hills are seen.
+Sphere SceneEditing::middle_of_terrain() const {
+  constexpr double share = 0.25;  // of its shorter side
+  const world::TerrainParameters& terrain = sea_.terrain()->parameters();
+  const terrain::TerrainExtent extent = terrain.extent();
+  const double x_m = terrain.origin_x_m + 0.5 * extent.width_m,
+               z_m = terrain.origin_z_m + 0.5 * extent.depth_m;
+  const double ground_m = sea_.terrain()->surface_m(x_m, z_m).value_or(0.0);
+  return {{x_m, std::max(ground_m, state_.scene.sea_level_m()), z_m},
+          share * std::min(extent.width_m, extent.depth_m)};
 }
 
 void SceneEditing::work(const std::function<Edit()>& change) {

@@ -74,6 +74,7 @@ class SceneEditing {
   /// That of an edit before or after. Nothing stays selected whose list gets longer or shorter: its number
   /// may be another one's.
   void take_other_edit(scene::Scene scene);
+  Sphere middle_of_terrain() const;
   void work(const std::function<Edit()>& change);
   /// Adds what `change` adds to a scene, and selects it.
   void add(const std::function<AddedObject(scene::Scene&)>& change);

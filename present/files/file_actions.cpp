@@ -92,12 +92,14 @@ void FileActions::ask_where_to_save() {
 
 void FileActions::write(const std::function<std::filesystem::path()>& work) {
   try {
+    const bool has_moved = scenes_.has_moved();
     const std::filesystem::path file = work();
     std::error_code failure;
     const std::filesystem::path whole = std::filesystem::absolute(file, failure);
     list_.follow(file);
     recent_.add(file);
-    state_.message = {.text = fmt::format("wrote {}", (failure ? file : whole).string())};
+    state_.message = {.text = fmt::format("wrote {}{}", (failure ? file : whole).string(),
+                                          has_moved ? "; its camera is where you are now" : "")};
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }

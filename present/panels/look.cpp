@@ -74,6 +74,7 @@ void set_style(Theme theme, float text_px) {
   } else {
     ImGui::StyleColorsDark(&style);
   }
+  style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0.0f, 0.0f, 0.0f, 0.45f);
   style.Colors[ImGuiCol_PopupBg].w = 1.0f;  // what a menu covers is text
   ImGui::GetStyle() = style;
   set_font_height(std::round(text_px));

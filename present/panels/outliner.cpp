@@ -126,8 +126,11 @@ void draw_name_field(ViewState& state, PanelEdits& edits) {
   Renaming& renaming = *state.renaming;
   ImGui::SetNextItemWidth(-1.0f);
   if (renaming.is_new) ImGui::SetKeyboardFocusHere();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(ImGui::GetStyle().FramePadding.x, 0.0f));  // as high as a row
   const bool is_entered = ImGui::InputText(
       "##new name", &renaming.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleVar();
   const bool is_left = !renaming.is_new && ImGui::IsItemDeactivated();
   renaming.is_new = false;
   if (is_entered) {
@@ -306,7 +309,9 @@ void draw_object_values(ViewState& state, const SceneObject& object, PanelEdits&
   if (object.kind == ObjectKind::bookmark) draw_view_buttons(state, object.index, edits);
   if (object.kind == ObjectKind::camera)
     ImGui::TextDisabled("Fly with W A S D and the mouse. A bookmark is a view with handles.");
-  const std::vector<scene::ParameterGroup> groups = groups_of(object.kind);
+  std::vector<scene::ParameterGroup> groups = groups_of(object.kind);
+  // First where the ground comes from.
+  if (object.kind == ObjectKind::terrain && state.scene.terrain.file.empty()) std::ranges::reverse(groups);
   for (const scene::ParameterGroup group : groups) {
     const auto panel = std::ranges::find(group_panels(), group, &GroupPanel::group);
     if (groups.size() > 1) ImGui::TextDisabled("%s", panel->title);
@@ -351,7 +356,7 @@ std::vector<scene::ParameterGroup> groups_beside(ObjectKind kind) {
     case ObjectKind::wake:
       return {wake_hull};
     case ObjectKind::terrain:
-      return {height_map, material, canopy, walk};
+      return {material, canopy, walk};
     case ObjectKind::cloud_layer:
       return {clouds};
     case ObjectKind::cloud:

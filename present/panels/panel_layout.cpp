@@ -42,6 +42,14 @@ float PanelLayout::bottom() const {
   return std::max(least_height_em * ImGui::GetFontSize(), timeline_top() - margin());
 }
 
+FreeWidth PanelLayout::free_width() const {
+  constexpr float least_share = 0.2f;
+  const float width = screen_px().x;
+  if (right_begin_px_ - main_px_ < least_share * width) return {};
+  const auto clip = [&](float px) { return 2.0 * static_cast<double>(px / width) - 1.0; };
+  return {clip(main_px_), clip(right_begin_px_)};
+}
+
 void PanelLayout::place_main(float width_em) {
   const float width = std::min(width_em * ImGui::GetFontSize(), screen_px().x - 2.0f * margin());
   main_px_ = margin() + width;

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "present/window/free_camera.h"
+
 namespace offing::present {
 
 /// Where panels lie: the timeline at the bottom, the main one at the left with that of values below it,
@@ -11,6 +13,9 @@ class PanelLayout {
  public:
   /// At the begin of each frame.
   void begin();
+  /// Of the picture between the main panel and those at the right, by the last frame; all of it where that
+  /// is narrow.
+  FreeWidth free_width() const;
   /// Between panels, and between them and the window's edge.
   static float margin();
 

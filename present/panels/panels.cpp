@@ -12,6 +12,7 @@
 
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
+#include "present/editing/objects/selection.h"
 #include "present/editing/ray_overlay.h"
 #include "present/panels/bookmark_panel.h"
 #include "present/panels/outliner.h"
@@ -170,6 +171,17 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
   }
 }
 
+/// Of an element among values that are found: with the name of its object.
+std::string title_of(const scene::Scene& scene, const GroupPanel& panel, scene::ElementIndex element,
+                     std::size_t number) {
+  for (const SceneObject& object : objects_of(scene)) {
+    const std::vector<ParameterGroup> groups = groups_of(object.kind);
+    if (object.index == element.outer && std::ranges::find(groups, panel.group) != groups.end())
+      return fmt::format("{}: {}", panel.title, label_of(scene, object));
+  }
+  return fmt::format("{} {}", panel.title, number + 1);
+}
+
 /// Values that are found; false where there are none.
 bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_search) {
   bool has_any = false;
@@ -190,7 +202,7 @@ bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_s
     const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, *rows.front()->section);
     for (std::size_t i = 0; i < elements.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
-      ImGui::TextDisabled("%s %zu", panel.title, i + 1);
+      ImGui::TextDisabled("%s", title_of(state.scene, panel, elements[i], i).c_str());
       draw_values(panel, rows, elements[i], state, edits);
       ImGui::PopID();
     }
@@ -198,10 +210,11 @@ bool draw_found(ViewState& state, PanelEdits& edits, decltype(is_found)& is_in_s
   return has_any;
 }
 
-/// What the search finds: by names, else by what is said of values.
+/// What the search finds: by names, else by what is said of values, else by words that begin alike.
 void draw_search_results(ViewState& state, PanelEdits& edits) {
-  if (draw_found(state, edits, is_found)) return;
-  if (!draw_found(state, edits, is_found_in_help)) ImGui::TextDisabled("no value found");
+  if (draw_found(state, edits, is_found) || draw_found(state, edits, is_found_in_help)) return;
+  if (!draw_found(state, edits, is_found_alike))
+    ImGui::TextDisabled("no value found: try fewer or shorter words");
 }
 
 void draw_terrain_view(ViewState& state) {
@@ -299,11 +312,19 @@ void draw_file(const ViewFacts& facts, PanelEdits& edits) {
 void draw_search_field(ViewState& state, PanelEdits& edits) {
   constexpr const char* keys = "keys";
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float button_px = ImGui::CalcTextSize(keys).x + 2.0f * style.FramePadding.x;
+  const auto button_px = [&](const char* label) {
+    return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
+  };
+  const bool has_words = !state.search.empty();
   if (std::exchange(state.begins_search, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-button_px - style.ItemSpacing.x);
+  ImGui::SetNextItemWidth(-button_px(keys) - (has_words ? button_px("x") : 0.0f));
   ImGui::InputTextWithHint("##search", "search values (Ctrl F)", &state.search);
   ImGui::SameLine();
+  if (has_words) {
+    if (ImGui::Button("x##search")) state.search.clear();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("all values again");
+    ImGui::SameLine();
+  }
   draw_action(keys, "H", ViewAction::toggle_help, edits);
 }
 
@@ -332,6 +353,8 @@ constexpr ImGuiWindowFlags side_panel =
 void draw_values_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
   state.layout.place_values();
   ImGui::Begin("Values", nullptr, side_panel | ImGuiWindowFlags_NoTitleBar);
+  const std::optional<SceneObject> selected = selected_object(state);
+  if (std::exchange(state.valued, selected) != selected) ImGui::SetScrollY(0.0f);
   ImGui::PushItemWidth(item_share * ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos();
   if (state.search.empty()) {
@@ -349,6 +372,8 @@ void draw_values_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edi
   ImGui::PopTextWrapPos();
   ImGui::PopItemWidth();
   edits.wants_original = ImGui::Button("undo all edits");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("back to the scene as it was opened, and to its camera; Ctrl Z takes that back");
   ImGui::SameLine();
   ImGui::TextDisabled("Tab: hide panels");
   ImGui::End();
@@ -369,10 +394,10 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   state.camera.camera() = state.scene.view.camera;
 }
 
-void draw_help(PanelLayout& layout) {
+void draw_help(PanelLayout& layout, bool& is_open) {
   layout.place_right();
   ImGui::Begin(
-      "Keys", nullptr,
+      "Keys", &is_open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
   constexpr float usual_em = 44.0f;
   const float room =
@@ -404,6 +429,7 @@ void draw_terrain_layers(ViewState& state, const ViewFacts& facts, PanelEdits& e
 
 void draw_message(Message& message, const PanelLayout& layout) {
   layout.place_message();
+  ImGui::SetNextWindowBgAlpha(1.0f);  // where room is narrow it lies over a panel
   ImGui::Begin("Message", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
@@ -474,7 +500,7 @@ PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
     if (timeline.wants_recording) edits.action = ViewAction::record;
     edits.cancels_recording = timeline.cancels_recording;
   }
-  if (state.shows_help) draw_help(state.layout);
+  if (state.shows_help) draw_help(state.layout, state.shows_help);
   if (facts.terrain) draw_terrain_layers(state, facts, edits);
   if (!state.message.text.empty()) draw_message(state.message, state.layout);
   return edits;

@@ -76,6 +76,7 @@ struct ViewState {
   std::optional<HighlightName> picked = {};
   CloudEditing clouds = {};
   std::optional<SceneObject> listed = {};  ///< that was selected when the list of objects was drawn last
+  std::optional<SceneObject> valued = {};  ///< whose values were drawn last
   std::optional<Renaming> renaming = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
   float kept_hz = 0.0f;          ///< frames a second that quality gives way to; 0: quality stays

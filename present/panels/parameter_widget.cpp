@@ -14,6 +14,7 @@
 #include <imgui_stdlib.h>
 
 #include "host/base/error.h"
+#include "host/scene/schema/unused_parameters.h"
 
 namespace offing::present {
 namespace {
@@ -87,7 +88,7 @@ glm::dvec3 linear_of(const glm::dvec3& srgb) {
 
 /// Of a choice, as people say it.
 std::string shown_choice(std::string_view name) {
-  if (name == "as_genus") return "as usual for its genus";
+  if (name == "as_genus") return "usual";
   return std::string(name);
 }
 
@@ -413,6 +414,12 @@ std::string_view word_for(std::string_view part) {
 std::string_view words_for_key(std::string_view key) {
   static constexpr auto named = std::to_array<NamedWords>({{"ocean.foam.onset_jacobian", "foam threshold"},
                                                            {"terrain.relief", "relief near the eye"},
+                                                           {"terrain.origin_x_m", "west edge (x)"},
+                                                           {"terrain.origin_z_m", "north edge (z)"},
+                                                           {"body.x_m", "x (east) at the start"},
+                                                           {"body.z_m", "z (south) at the start"},
+                                                           {"body.heading_deg", "heading at the start"},
+                                                           {"body.speed_mps", "speed at the start"},
                                                            {"ocean.foam.width", "threshold softness"},
                                                            {"ocean.foam.fraction", "foam cover"}});
   return words_in(named, key, {});
@@ -440,10 +447,17 @@ std::string parameter_label(const Parameter& row) {
 }
 
 Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element) {
+  // What only files tell of a sea is left out: a value may then seem to have an effect.
+  const scene::SeaFacts sea{.is_there = scene.has_sea(), .is_measured = !scene.ocean.spectrum_file.empty()};
+  const std::string unused = scene::reason_unused(row, {.scene = scene, .element = element, .sea = sea});
+  const ImGuiCol text_colour = unused.empty() ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[text_colour]);
   const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
+  ImGui::PopStyleColor();
   if (ImGui::IsItemHovered()) {
     std::string text = fmt::format("{}\nin scene files: {}", row.help, row.key);
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
+    if (!unused.empty()) text += fmt::format("\nno effect now: {}", unused);
     if (scene.tracks.contains({row.key, element})) text += "\nhas keyframes, which an edit removes";
     if (is_text(row)) text += "\npress Enter to apply the text";
     if (row.slider) text += "\nclick to type a value, also beyond the slider: " + scene::expected_text(row);

@@ -37,6 +37,18 @@ bool is_found(std::string_view wanted, std::string_view panel, const scene::Para
   return has_words(name_text(panel, row), wanted);
 }
 
+bool is_found_alike(std::string_view wanted, std::string_view panel, const scene::Parameter& row) {
+  constexpr std::size_t least_letters = 4, most_ending = 3;
+  std::istringstream words{std::string(wanted)};
+  std::string stems;
+  for (std::string word; words >> word;) {
+    const std::size_t ending =
+        word.size() > least_letters ? std::min(word.size() - least_letters, most_ending) : 0;
+    stems += word.substr(0, word.size() - ending) + ' ';
+  }
+  return has_words(name_text(panel, row), stems);
+}
+
 bool is_found_in_help(std::string_view wanted, std::string_view panel, const scene::Parameter& row) {
   return has_words(name_text(panel, row) + ' ' + lower_case(std::string(row.help)), wanted);
 }

@@ -8,6 +8,7 @@
 #include "host/base/error.h"
 #include "host/io/file_presence.h"
 #include "host/scene/file/scene_files.h"
+#include "present/output/camera_path.h"
 #include "present/output/video_pipe.h"
 
 namespace offing::present {
@@ -26,6 +27,7 @@ void RecordActions::open() {
   request.seconds = std::max(time.end_s - time.start_s, 1.0 / time.frames_per_second);
   request.frames_per_second = time.frames_per_second;
   request.replaces = false;
+  request.has_path = has_camera_path(state_.scene);
   request.name = unused_record_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
   dialog_.open(request);
 }

@@ -15,6 +15,7 @@
 #include "host/base/error.h"
 #include "host/scene/prepare/scene_renderer.h"
 #include "present/files/file_browser.h"
+#include "present/output/video_pipe.h"
 #include "present/panels/imgui_versions.h"
 #include "present/panels/look.h"
 
@@ -89,9 +90,15 @@ void RecordDialog::draw_format() {
   if (!ImGui::BeginCombo("format", record_format_names[shown])) return;
   has_list_ = true;
   for (std::size_t i = 0; i < record_format_names.size(); ++i) {
-    if (!ImGui::Selectable(record_format_names[i], i == shown)) continue;
+    const bool is_possible = !is_video(static_cast<RecordFormat>(i)) || has_ffmpeg();
+    if (!is_possible) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    const bool is_chosen = ImGui::Selectable(record_format_names[i], i == shown);
+    if (!is_possible) ImGui::PopStyleColor();
+    if (!is_chosen) continue;
     request_.format = static_cast<RecordFormat>(i);
     fault_.clear();
+    if (!is_possible)
+      fault_ = "videos need the program ffmpeg, which is not on PATH: install it, or record pictures";
   }
   if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
@@ -119,7 +126,8 @@ void RecordDialog::draw_size(ImageSize window) {
 void RecordDialog::draw_range(double now_s) {
   if (std::exchange(focuses_seconds_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::InputDouble("seconds", &request_.seconds, 0.0, 0.0, "%.6g");
-  explain_item("the camera stays where it is now, or follows its keyframes");
+  ImGui::TextDisabled(request_.has_path ? "the camera follows its keyframes"
+                                        : "the camera stays where it is now");
   ImGui::InputDouble("start, s", &request_.start_s, 0.0, 0.0, "%.6g");
   ImGui::SameLine();
   if (ImGui::SmallButton("now")) request_.start_s = now_s;

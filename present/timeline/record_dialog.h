@@ -22,6 +22,7 @@ struct RecordingRequest {
   Detail detail = Detail::high;
   std::string name = {};  ///< without its ending, and for pictures without the number
   bool replaces = false;
+  bool has_path = false;  ///< the camera, which follows it
 };
 
 /// The recording that is asked for. Throws Error(bad_usage) for a name or a range that cannot be.

@@ -1,5 +1,6 @@
 #include "present/window/camera_pilot.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "present/editing/terrain_pick.h"
@@ -45,7 +46,9 @@ bool CameraPilot::go_to(ViewState& state, LiveSea& sea, glm::dvec2 place_m) cons
   if (!sea.terrain()) return false;
   const std::optional<double> terrain_m = sea.terrain()->surface_m(place_m.x, place_m.y);
   if (!terrain_m) return false;
-  state.camera.camera().eye_m = {place_m.x, *terrain_m + state.scene.view.walker.eye_height_m, place_m.y};
+  // Where the sea covers the ground, above the sea.
+  const double surface_m = sea.scene().has_sea() ? std::max(*terrain_m, sea.sea_level_m()) : *terrain_m;
+  state.camera.camera().eye_m = {place_m.x, surface_m + state.scene.view.walker.eye_height_m, place_m.y};
   return true;
 }
 

@@ -92,7 +92,7 @@ std::string take_heights(scene::Scene& scene, const std::filesystem::path& file)
   scene.terrain.origin_z_m.reset();
   scene.terrain.colour.clear();
   store_text(scene, "terrain.file", file.string());
-  return fmt::format("the terrain now comes from {}", file.filename().string());
+  return fmt::format("the terrain now comes from {}; X looks at it", file.filename().string());
 }
 
 std::string take_spectrum(scene::Scene& scene, const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "present/editing/objects/selection.h"
 #include "present/editing/pointed_place.h"
 #include "present/window/dropped_files.h"
 
@@ -61,7 +62,10 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
   const bool has_place = kind == DroppedKind::mesh;
   const glm::dvec3 place_m = has_place ? pointed_place(sea_, screen, place) : glm::dvec3(0.0);
   editing_.make([&](scene::Scene& scene) { return add_dropped(scene, file, kind, place_m); });
-  if (!state_.message.is_fault) recent_.add(file);
+  if (state_.message.is_fault) return false;
+  recent_.add(file);
+  if (kind == DroppedKind::height_map) select_object(state_, {ObjectKind::terrain, 0});
+  if (kind == DroppedKind::mesh) select_object(state_, {ObjectKind::mesh, state_.scene.meshes.size() - 1});
   return false;
 }
 

@@ -57,10 +57,14 @@ void FreeCamera::advance(const CameraInput& input, double seconds, const Surface
   rise_above(surface_m(eye_m.x, eye_m.z));
 }
 
-void FreeCamera::look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m) {
-  constexpr double least_radius_m = 0.5, room = 1.5;
+void FreeCamera::look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m,
+                         const FreeWidth& free) {
+  constexpr double least_radius_m = 0.5, room = 1.5, down_rad = 0.3;
   const glm::dvec2 extent = half_extent(camera_);
-  const double sine = std::sin(std::atan(std::min(extent.x, extent.y)));
+  const double sine = std::sin(std::atan(std::min(0.5 * (free.right - free.left) * extent.x, extent.y)));
+  // What stands on the surface is seen from above, with the surface around it.
+  if (middle_m.y - radius_m <= surface_m(middle_m.x, middle_m.z))
+    camera_.pitch_rad = std::min(camera_.pitch_rad, -down_rad);
   glm::dvec3& eye_m = camera_.eye_m;
   eye_m = middle_m - room * std::max(radius_m, least_radius_m) / sine * basis(camera_).forward;
   eye_m.x = within_range("camera.x_m", eye_m.x);
@@ -68,7 +72,7 @@ void FreeCamera::look_at(const glm::dvec3& middle_m, double radius_m, const Surf
   rise_above(surface_m(eye_m.x, eye_m.z));
   const glm::dvec3 way_m = middle_m - eye_m;
   if (way_m == glm::dvec3(0.0)) return;
-  camera_.yaw_rad = std::atan2(way_m.x, -way_m.z);
+  camera_.yaw_rad = std::atan2(way_m.x, -way_m.z) - std::atan(0.5 * (free.left + free.right) * extent.x);
   camera_.pitch_rad = std::atan2(way_m.y, std::hypot(way_m.x, way_m.z));
 }
 

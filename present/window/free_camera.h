@@ -24,6 +24,11 @@ struct CameraInput {
 /// Height at a place of the water or the ground, whichever is higher, above the water's mean, m.
 using SurfaceHeight = std::function<double(double x_m, double z_m)>;
 
+/// What panels leave free of the picture, in clip coordinates.
+struct FreeWidth {
+  double left = -1.0, right = 1.0;
+};
+
 /// A camera that flies over water and ground, as far as a scene file lets eyes be. Where it stands still it
 /// stays, though waves may reach it.
 class FreeCamera {
@@ -35,8 +40,10 @@ class FreeCamera {
   void advance(const CameraInput& input, double seconds, const SurfaceHeight& surface_m);
   /// Turns by what was asked for, without moving.
   void look(const CameraInput& input);
-  /// To where it sees a whole ball from the side that it was on, not through water or ground.
-  void look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m);
+  /// To where it sees a whole ball from the side that it was on, in the middle of what is free, not through
+  /// water or ground. A ball that lies on the surface it sees from above.
+  void look_at(const glm::dvec3& middle_m, double radius_m, const SurfaceHeight& surface_m,
+               const FreeWidth& free = {});
   /// Up out of a surface of this height, if it is in it.
   void rise_above(double surface_m);
   /// It stays above this, whatever the waves do.

@@ -40,6 +40,12 @@ bool are_other_paths(const scene::Scene& one, const scene::Scene& other) {
   return path_of_one.tracks != path_of_other.tracks;
 }
 
+/// But for the size of the picture.
+bool are_same_view(const Camera& one, const Camera& other) {
+  return one.eye_m == other.eye_m && one.yaw_rad == other.yaw_rad && one.pitch_rad == other.pitch_rad &&
+         one.roll_rad == other.roll_rad && one.vertical_field_of_view_rad == other.vertical_field_of_view_rad;
+}
+
 std::string shown_name(const std::string& name) {
   return name.empty() ? "the scene before" : name;
 }
@@ -188,6 +194,10 @@ std::filesystem::path SceneSwitch::note(std::filesystem::path file) {
   options_.scene_file = file;
   ++saves_;
   return file;
+}
+
+bool SceneSwitch::has_moved() const {
+  return !has_camera_path(state_.scene) && !are_same_view(state_.camera.camera(), saved_.camera());
 }
 
 std::filesystem::path SceneSwitch::first_name() const {

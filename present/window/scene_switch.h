@@ -34,6 +34,7 @@ class SavedScene {
 
   /// Whether the next save overwrites a file.
   bool has_file() const { return !file_.empty(); }
+  const Camera& camera() const { return scene_.view.camera; }
   /// Whether anything but the place of the camera differs.
   bool differs_from(const scene::Scene& scene) const;
   /// Writes it into the file that it was opened from or saved to last, whose comments, order and layout stay
@@ -82,6 +83,9 @@ class SceneSwitch {
   /// Whether save() has a file to write. It has none of a scene that comes with the program, that is new, or
   /// whose file is a link.
   bool has_file() const { return saved_.has_file(); }
+  /// Whether the user has moved the camera since the scene was opened or saved: that is no edit, but files
+  /// keep it.
+  bool has_moved() const;
   /// Counts what has been saved.
   std::uint64_t saves() const { return saves_; }
   /// What is offered to save the scene as: beside its file.

@@ -44,12 +44,6 @@ std::string whole_name(const std::filesystem::path& path) {
   return (failure ? path : whole).string();
 }
 
-/// But for the size of the picture.
-bool are_same_view(const Camera& one, const Camera& other) {
-  return one.eye_m == other.eye_m && one.yaw_rad == other.yaw_rad && one.pitch_rad == other.pitch_rad &&
-         one.roll_rad == other.roll_rad && one.vertical_field_of_view_rad == other.vertical_field_of_view_rad;
-}
-
 }  // namespace
 
 void FullScreen::toggle(GLFWwindow* window) {
@@ -266,8 +260,8 @@ void Viewer::act(KeyPress press) {
 }
 
 void Viewer::escape() {
-  if (!panels_.close_popups() && !editing_.deselect())
-    state_.message = {.text = "nothing is picked; Ctrl Q quits"};
+  if (panels_.close_popups() || std::exchange(state_.shows_help, false)) return;
+  if (!editing_.deselect()) state_.message = {.text = "nothing is picked; Ctrl Q quits"};
 }
 
 void Viewer::request_quit() {
@@ -390,8 +384,9 @@ void Viewer::look_at_selected() {
   }
   leave_path();
   state_.scene.view.mode = scene::CameraMode::fly;
-  state_.camera.look_at(place->centre_m, place->radius_m,
-                        [this](double x_m, double z_m) { return sea_.surface_height_m(x_m, z_m); });
+  const auto surface_m = [this](double x_m, double z_m) { return sea_.surface_height_m(x_m, z_m); };
+  const FreeWidth free = state_.shows_panels ? state_.layout.free_width() : FreeWidth{};
+  state_.camera.look_at(place->centre_m, place->radius_m, surface_m, free);
 }
 
 /// Panels are drawn for a while after the last input: tooltips come late.
@@ -540,8 +535,6 @@ Viewer::Drawn Viewer::draw_sea(glm::ivec2 window_px) {
 
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
-  // A view is no edit, but files keep it.
-  const bool has_moved = !are_same_view(state_.camera.camera(), options_.scene.view.camera);
   if (sea_.terrain() && state_.shows_map) {
     const bool has_sea = sea_.scene().has_sea();
     map_.show(sea_.terrain()->parameters(), has_sea ? std::optional(sea_.sea_level_m()) : std::nullopt);
@@ -570,7 +563,7 @@ PanelEdits Viewer::draw_panels() {
                                     .recording = record_.progress(),
                                     .can_undo = scenes_.can_undo(),
                                     .can_redo = scenes_.can_redo(),
-                                    .can_save = !scenes_.has_file() || is_unsaved_ || has_moved});
+                                    .can_save = !scenes_.has_file() || is_unsaved_ || scenes_.has_moved()});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   files_.draw();

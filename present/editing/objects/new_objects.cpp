@@ -157,7 +157,7 @@ AddedObject add_new_cloud(Scene& scene, clouds::Genus genus, const NewPlace& pla
   const CloudPart part = add_cloud(scene, genus, there_m);
   const std::string name = unused_name(scene.clouds, std::string(clouds::range_of(genus).name));
   scene.clouds[part.cloud].name = name;
-  return {{ObjectKind::cloud, part.cloud}, fmt::format("added the cloud {}", name)};
+  return {{ObjectKind::cloud, part.cloud}, fmt::format("added the cloud {}; X looks at it", name)};
 }
 
 AddedObject add_layer(Scene& scene, clouds::Genus genus, const NewPlace& place) {

@@ -380,7 +380,7 @@ std::vector<scene::ParameterGroup> groups_of(ObjectKind kind) {
     case ObjectKind::wake:
       return {wake};
     case ObjectKind::terrain:
-      return {terrain};
+      return {height_map, terrain};
     case ObjectKind::lake:
       return {lake};
     case ObjectKind::cloud_layer:

@@ -342,6 +342,16 @@ TEST_F(UndoPicturesTest, BoatsOnLandMoveToWater) {
   EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << "it was before";
 }
 
+// Fails if terrain has no place that a camera can look at: the middle of its map.
+TEST_F(UndoPicturesTest, TerrainHasAPlace) {
+  select_object(state_, {ObjectKind::terrain, 0});
+  const std::optional<Sphere> place = editing_->selected_place(screen());
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->centre_m.x, 0.0, 1.0);
+  EXPECT_NEAR(place->centre_m.z, -300.0, 1.0);
+  EXPECT_NEAR(place->radius_m, 100.0, 1.0);
+}
+
 /// A bowl of 240 m with a rim 20 m above its floor, and a camera that looks into it.
 class UndoLakePicturesTest : public UndoPicturesTest {
  protected:

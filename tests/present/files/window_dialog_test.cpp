@@ -16,6 +16,7 @@
 
 #include "host/scene/file/scene_file.h"
 #include "host/scene/schema/parameter_table.h"
+#include "present/editing/objects/selection.h"
 #include "present/panels/parameter_widget.h"
 #include "tests/present/window/window_test.h"
 
@@ -182,6 +183,7 @@ TEST_F(WindowDialogTest, MapsBecomeTheGround) {
   EXPECT_FALSE(state().message.is_fault) << message();
   ASSERT_NE(viewer_->sea().terrain(), nullptr);
   EXPECT_EQ(viewer_->sea().terrain()->parameters().extent().width_m, 300.0);
+  EXPECT_EQ(present::selected_object(state()), (present::SceneObject{present::ObjectKind::terrain, 0}));
   undo();
   EXPECT_EQ(viewer_->sea().terrain(), nullptr);
 }

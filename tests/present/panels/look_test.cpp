@@ -68,6 +68,10 @@ TEST(ValueSearchTest, FindsByAllWords) {
   EXPECT_FALSE(is_found("  ", "Wind", speed));
   EXPECT_FALSE(is_found("everything", "Wind", speed));
   EXPECT_TRUE(is_found_in_help("everything", "Wind", speed));
+  EXPECT_FALSE(is_found("windy speeds", "Wind", speed));
+  EXPECT_TRUE(is_found_alike("windy speeds", "Wind", speed));
+  EXPECT_FALSE(is_found_alike("windy waves", "Wind", speed));
+  EXPECT_FALSE(is_found_alike("  ", "Wind", speed));
 }
 
 // Fails if words that a newcomer looks for find nothing.

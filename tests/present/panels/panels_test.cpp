@@ -209,6 +209,30 @@ TEST_F(PanelsTest, ValuesInForceShow) {
   EXPECT_NEAR(name_ends, name_ends_without, 1.0f);
 }
 
+// Fails if a value without effect looks like others: the size of generated terrain beside a file.
+TEST_F(PanelsTest, ValuesWithoutEffectAreGrey) {
+  const scene::Parameter& row = *scene::find_parameter("terrain.side_m");
+  scene_.terrain.is_given = true;
+  const auto brightest = [&] {
+    EditInProgress edit;
+    for (int i = 0; i < 2; ++i) {
+      target_.bind();
+      glClear(GL_COLOR_BUFFER_BIT);
+      frame([&] { parameter_widget(scene_, row, edit); });
+    }
+    const std::vector<unsigned char> pixels = target_.read_bytes();
+    int most = 0;
+    // Without the letters of the window's title.
+    const std::size_t below_title = pixels.size() / 900 * 30;
+    for (std::size_t i = below_title; i + 3 <= pixels.size() - below_title; i += 3)
+      most = std::max(most, int{std::min({pixels[i], pixels[i + 1], pixels[i + 2]})});
+    return most;
+  };
+  EXPECT_GT(brightest(), 200);
+  scene_.terrain.file = "hills.tif";
+  EXPECT_LT(brightest(), 180);
+}
+
 // Fails if a value that has no default cannot be set and taken away again.
 TEST_F(PanelsTest, OptionalValuesComeAndGo) {
   const scene::Parameter& row = *scene::find_parameter("ocean.depth_m");

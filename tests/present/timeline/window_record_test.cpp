@@ -247,7 +247,10 @@ TEST_F(WindowRecordTest, NeedsFfmpegForVideos) {
   open(two_frames_a_second());
   press_with_control("r");
   turn(2);
+  const float height_px = dialog()->Size.y;
   choose_format("video (.mp4)");  // not what the dialog proposes
+  turn(2);
+  EXPECT_GT(dialog()->Size.y, height_px) << "the dialog does not say at once that there is no ffmpeg";
   press("Return");
   turn(2);
   EXPECT_NE(dialog(), nullptr);

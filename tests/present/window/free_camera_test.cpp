@@ -71,6 +71,21 @@ TEST(FreeCameraTest, LooksAtAll) {
   }
 }
 
+// Fails if a boat is seen along the water, or not in the middle of what panels leave free.
+TEST(FreeCameraTest, LooksBesidePanelsAndFromAbove) {
+  FreeCamera camera(start());
+  const glm::dvec3 boat_m(30.0, 0.0, -90.0);
+  camera.look_at(boat_m, 8.0, calm, {.left = -0.2, .right = 1.0});
+  const Camera& now = camera.camera();
+  const glm::dvec3 way_m = boat_m - now.eye_m;
+  EXPECT_GT(now.eye_m.y, 0.25 * glm::length(way_m));
+  const CameraBasis axes = basis(now);
+  const double ahead_m = glm::dot(way_m, axes.forward), tangent = half_extent(now).x;
+  EXPECT_NEAR(glm::dot(way_m, axes.right) / (ahead_m * tangent), 0.4, 0.04);
+  EXPECT_NEAR(glm::dot(way_m, axes.up) / ahead_m, 0.0, 0.05);
+  EXPECT_LT(8.0 / (ahead_m * tangent), 0.6) << "it is as wide as what is free";
+}
+
 // Fails if a camera that nobody moves is not where its scene has it, as in pictures without a window.
 TEST(FreeCameraTest, StaysWhereItIs) {
   Camera low = start();

@@ -122,6 +122,14 @@ TEST_F(WindowPanelsTest, ButtonsWithoutAnEditAreGrey) {
   EXPECT_EQ(edited_text(), edited);
   click(find(main_panel(), "save", 145));
   EXPECT_NE(message().find("wrote"), std::string::npos) << message();
+  EXPECT_EQ(message().find("camera"), std::string::npos) << message();
+  look_at_sea();
+  click(find(main_panel(), "save", 145));
+  EXPECT_NE(message().find("its camera is where you are now"), std::string::npos) << message();
+  press("Escape");
+  const std::string other = message();
+  click(find(main_panel(), "save", 145));
+  EXPECT_EQ(message(), other) << "all is saved";
 }
 
 // Fails if a name that no file can have ends the window.

@@ -69,6 +69,11 @@ TEST_F(WindowQuitTest, EscapeClosesListsThenDeselects) {
   press("Escape");
   EXPECT_FALSE(open_list()->Active);
   EXPECT_EQ(state().clouds.tool, present::CloudTool::place_ball) << "only the list is closed first";
+  press("h");
+  ASSERT_TRUE(state().shows_help);
+  press("Escape");
+  EXPECT_FALSE(state().shows_help);
+  EXPECT_EQ(state().clouds.tool, present::CloudTool::place_ball) << "only the keys are closed then";
   press("Escape");
   EXPECT_EQ(state().clouds.tool, present::CloudTool::pick);
   press("Escape");

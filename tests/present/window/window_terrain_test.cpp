@@ -125,6 +125,24 @@ TEST_F(WindowTerrainTest, GoesToAPlaceOnTheMap) {
   EXPECT_NEAR(above_ground_m(), 1.7, 1e-9);
 }
 
+// Fails if a click on the map leads to the bed of the sea.
+TEST_F(WindowTerrainTest, MapClicksStayAboveTheSea) {
+  present::ViewOptions options = terrain_options();
+  options.scene.ocean.is_given = true;
+  options.scene.terrain.fractal.mean_m = -900.0;
+  open(options);
+  press("m");
+  turn(2);
+  const ImGuiWindow* map = ImGui::FindWindowByName("Map");
+  ASSERT_NE(map, nullptr);
+  const ImVec2 middle = map->InnerRect.GetCenter();
+  click({static_cast<int>(middle.x), static_cast<int>(middle.y)});
+  turn();
+  EXPECT_NEAR(eye_m().x, 0.0, 50.0);
+  EXPECT_LT(terrain_m(), -100.0);
+  EXPECT_NEAR(eye_m().y, state().scene.view.walker.eye_height_m, 1.0);
+}
+
 // Fails if the heat map or the picked ray is not shown, or a ray into the sky is one.
 TEST_F(WindowTerrainTest, ShowsStepsAndNodes) {
   open(terrain_options());
