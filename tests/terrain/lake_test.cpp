@@ -14,6 +14,7 @@
 
 #include "host/base/error.h"
 #include "host/base/height_map.h"
+#include "host/base/work.h"
 #include "host/terrain/generate/fractal_terrain.h"
 
 namespace offing::terrain {
@@ -188,6 +189,36 @@ TEST(LakeTest, RefusesWhatHoldsNoWater) {
   EXPECT_THAT(fault_of(480.0, 520.0, 55.0), HasSubstr("a level above the ground at (480, 520), which is 60"));
   EXPECT_THAT(fault_of(900.0, 100.0, std::nullopt), HasSubstr("from where water runs off the map"));
   EXPECT_THAT(fault_of(900.0, 100.0, 300.0), HasSubstr("from where water runs off the map"));
+}
+
+// Fails if a basin of more posts is flooded than there may be: vast ones would take all memory. Before: they
+// did.
+TEST(LakeTest, RefusesVastBasins) {
+  const HeightMap map = bowl();
+  const auto fill = [&](std::size_t most_posts) {
+    return fill_lake(posts_of(map), 480.0, 520.0, std::nullopt, "pan", {}, most_posts);
+  };
+  EXPECT_GT(fill(4000).area_m2, 0.0);
+  try {
+    fill(1000);
+    ADD_FAILURE() << "filled";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(),
+              std::string("pan: expected a basin of at most 1000 posts of the map, found more"));
+  }
+}
+
+// Fails if a flood goes on after it was asked to stop.
+TEST(LakeTest, Stops) {
+  const HeightMap map = bowl();
+  CancelToken cancel;
+  cancel.cancel();
+  try {
+    fill_lake(posts_of(map), 480.0, 520.0, std::nullopt, "lake", Work(cancel));
+    ADD_FAILURE() << "filled";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
 }
 
 // Fails if lakes that share water are not told from neighbours.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "host/base/work.h"
 #include "host/cli/terrain/place_system.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
@@ -61,7 +62,7 @@ nlohmann::ordered_json outline_json(const terrain::Lake& lake, const terrain::Te
   return {{"type", "FeatureCollection"}, {"features", {feature}}};
 }
 
-void run(const TerrainLakeArguments& arguments) {
+void run(const TerrainLakeArguments& arguments, const CancelToken& cancel) {
   const std::string crs = arguments.places.system();
   const GivenPlace given = read_place("--at", arguments.at, PlaceForm::plan, crs, "1200,350.5");
   if (!arguments.output.empty()) {
@@ -71,8 +72,8 @@ void run(const TerrainLakeArguments& arguments) {
   const TerrainSource of(arguments.input, {});
   const PlaceSystem system(of.frame(), crs);
   const glm::dvec2 place_m = system.within_map("--at", given.place);
-  const terrain::Lake lake =
-      terrain::fill_lake(of.posts(), place_m.x, place_m.y, arguments.settings.read().level_m, "--at");
+  const terrain::Lake lake = terrain::fill_lake(of.posts(), place_m.x, place_m.y,
+                                                arguments.settings.read().level_m, "--at", Work(cancel));
   if (!arguments.output.empty()) {
     write_file_atomically(arguments.output, outline_json(lake, of.posts(), system).dump() + "\n",
                           arguments.existing);
@@ -116,7 +117,7 @@ void add_terrain_lake_command(CLI::App& terrain, GlobalOptions& options) {
       "  offing terrain lake S33W071.tif --at 47000,55000\n"
       "  offing terrain lake S33W071.tif --crs lonlat --at -70.3,-32.8 --level-m 2700 -o lake.geojson",
       place_footer));
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, &options] { run(*arguments, options.cancel); });
 }
 
 }  // namespace offing::cli

@@ -17,8 +17,9 @@
 namespace offing::terrain {
 namespace {
 
-// A bit of memory each.
-constexpr double most_posts = 1 << 30;
+// A bit of memory each, and a byte where they are in the box around the lake.
+constexpr double most_map_posts = 1 << 30;
+constexpr std::size_t posts_between_polls = 1 << 16;
 
 struct LakePost {
   int column, row;
@@ -34,8 +35,9 @@ struct LakeStep {
 
 class LakeFlood {
  public:
-  explicit LakeFlood(const TerrainPosts& posts)
+  LakeFlood(const TerrainPosts& posts, const Work& work)
       : posts_(posts),
+        work_(work),
         is_seen_(static_cast<std::size_t>(posts.columns) * static_cast<std::size_t>(posts.rows)) {}
 
   double height_m(const LakePost& post) const { return posts_.height_m(post.column, post.row); }
@@ -43,15 +45,20 @@ class LakeFlood {
     return post.column == 0 || post.row == 0 || post.column == posts_.columns - 1 ||
            post.row == posts_.rows - 1;
   }
-  /// False from the second time on.
+  bool is_seen(const LakePost& post) const { return is_seen_[index(post)]; }
+  /// False from the second time on. Throws what the work's poll() throws.
   bool see(const LakePost& post) {
-    const std::size_t index = static_cast<std::size_t>(post.row) * static_cast<std::size_t>(posts_.columns) +
-                              static_cast<std::size_t>(post.column);
-    const bool is_new = !is_seen_[index];
-    is_seen_[index] = true;
-    return is_new;
+    const std::size_t at = index(post);
+    if (is_seen_[at]) return false;
+    is_seen_[at] = true;
+    if (++seen_ % posts_between_polls == 0) work_.poll();
+    return true;
   }
-  void forget() { std::fill(is_seen_.begin(), is_seen_.end(), false); }
+  std::size_t seen() const { return seen_; }
+  void forget() {
+    std::fill(is_seen_.begin(), is_seen_.end(), false);
+    seen_ = 0;
+  }
 
   /// From a post that is not on the map's edge: along the sides of cells, and over the saddles within them.
   template <class Take>
@@ -81,8 +88,15 @@ class LakeFlood {
   }
 
  private:
+  std::size_t index(const LakePost& post) const {
+    return static_cast<std::size_t>(post.row) * static_cast<std::size_t>(posts_.columns) +
+           static_cast<std::size_t>(post.column);
+  }
+
   const TerrainPosts& posts_;
+  const Work& work_;
   std::vector<bool> is_seen_;
+  std::size_t seen_ = 0;
 };
 
 /// The corner of a place's patch to which its ground falls: from anywhere on a bilinear patch, first along x.
@@ -100,18 +114,46 @@ LakePost corner_below(const TerrainPosts& posts, double x_m, double z_m) {
   return {column + right, row + (height_m(right, 1) < height_m(right, 0) ? 1 : 0)};
 }
 
+[[noreturn]] void refuse_lake(std::string_view name, const std::string& expected, const std::string& hint) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}: expected {}", name, expected), hint);
+}
+
 /// The lowest way off the map.
-LakeStep spill_of(LakeFlood& flood, const LakePost& start) {
+LakeStep spill_of(LakeFlood& flood, const LakePost& start, std::string_view name, std::size_t most_posts) {
   std::priority_queue<LakeStep, std::vector<LakeStep>, std::greater<>> ways;
+  std::queue<LakePost> below;  // no higher than the highest place so far
   LakeStep highest{flood.height_m(start), start, glm::dvec2(start.column, start.row)};
-  ways.push(highest);
-  while (!ways.empty()) {
-    const LakeStep way = ways.top();
-    ways.pop();
-    if (way.height_m > highest.height_m) highest = way;
-    if (flood.is_on_edge(way.to)) break;
-    if (!flood.see(way.to)) continue;
-    flood.steps_from(way.to, [&](const LakeStep& step) { ways.push(step); });
+  flood.see(start);
+  below.push(start);
+  while (!below.empty() || !ways.empty()) {
+    LakePost post;
+    if (!below.empty()) {
+      post = below.front();
+      below.pop();
+    } else {
+      const LakeStep way = ways.top();
+      ways.pop();
+      post = way.to;
+      // Over a saddle, to where another way was lower.
+      if (way.height_m > flood.height_m(post) && !flood.see(post)) continue;
+      if (way.height_m > highest.height_m) highest = way;
+    }
+    if (flood.is_on_edge(post)) break;
+    if (flood.seen() > most_posts) {
+      refuse_lake(name, fmt::format("a basin of at most {} posts of the map, found more", most_posts),
+                  "choose a place in a smaller basin, or use a coarser map");
+    }
+    flood.steps_from(post, [&](const LakeStep& step) {
+      if (flood.is_seen(step.to)) return;
+      const bool is_below = step.height_m <= highest.height_m;
+      // No other way there is lower.
+      if (is_below || step.height_m <= flood.height_m(step.to)) flood.see(step.to);
+      if (is_below) {
+        below.push(step.to);
+      } else {
+        ways.push(step);
+      }
+    });
   }
   return highest;
 }
@@ -160,9 +202,10 @@ bool is_joined(const std::array<double, 4>& corners_m, double level_m) {
   return c != 0.0 && (h00 * h11 - h10 * h01) / c < level_m;
 }
 
-void measure(Lake& lake, const TerrainPosts& posts) {
+void measure(Lake& lake, const TerrainPosts& posts, const Work& work) {
   const double cell_m2 = posts.spacing_x_m * posts.spacing_z_m;
   for (int row = lake.first_row; row + 1 < lake.first_row + lake.rows; ++row) {
+    work.poll();
     for (int column = lake.first_column; column + 1 < lake.first_column + lake.columns; ++column) {
       const bool has_water = lake.is_wet_at(column, row) || lake.is_wet_at(column + 1, row) ||
                              lake.is_wet_at(column, row + 1) || lake.is_wet_at(column + 1, row + 1);
@@ -174,10 +217,6 @@ void measure(Lake& lake, const TerrainPosts& posts) {
       lake.greatest_depth_m = std::max(lake.greatest_depth_m, lake.level_m - std::ranges::min(corners_m));
     }
   }
-}
-
-[[noreturn]] void refuse_lake(std::string_view name, const std::string& expected, const std::string& hint) {
-  throw Error(ErrorKind::bad_input, fmt::format("{}: expected {}", name, expected), hint);
 }
 
 void require_wet(std::string_view name, const glm::dvec2& place_m, double ground_m, const LakeStep& spill,
@@ -216,13 +255,21 @@ bool Lake::is_wet_at(int column, int row) const {
                 static_cast<std::size_t>(x)] != 0;
 }
 
+bool Lake::is_near(int column, int row) const {
+  for (int z = row - 1; z <= row + 1; ++z) {
+    for (int x = column - 1; x <= column + 1; ++x)
+      if (is_wet_at(x, z)) return true;
+  }
+  return false;
+}
+
 Lake fill_lake(const TerrainPosts& posts, double x_m, double z_m, std::optional<double> level_m,
-               std::string_view name) {
-  if (static_cast<double>(posts.columns) * posts.rows > most_posts) {
-    refuse_lake(
-        name,
-        fmt::format("a map of at most {:.4g} posts, found {} x {}", most_posts, posts.columns, posts.rows),
-        "cut a smaller map around the lake");
+               std::string_view name, const Work& work, std::size_t most_posts) {
+  if (static_cast<double>(posts.columns) * posts.rows > most_map_posts) {
+    refuse_lake(name,
+                fmt::format("a map of at most {:.4g} posts, found {} x {}", most_map_posts, posts.columns,
+                            posts.rows),
+                "cut a smaller map around the lake");
   }
   const std::optional<TerrainPoint> ground = terrain_at(posts, x_m, z_m);
   if (!ground) {
@@ -230,9 +277,9 @@ Lake fill_lake(const TerrainPosts& posts, double x_m, double z_m, std::optional<
                 fmt::format("the map reaches {:.7g} m east and {:.7g} m south of its first post",
                             posts.width_m(), posts.depth_m()));
   }
-  LakeFlood flood(posts);
+  LakeFlood flood(posts, work);
   const LakePost start = corner_below(posts, x_m, z_m);
-  const LakeStep spill = spill_of(flood, start);
+  const LakeStep spill = spill_of(flood, start, name, most_posts);
   require_wet(name, {x_m, z_m}, ground->height_m, spill, level_m);
   Lake lake{.level_m = level_m.value_or(spill.height_m),
             .spill_level_m = spill.height_m,
@@ -249,8 +296,19 @@ Lake fill_lake(const TerrainPosts& posts, double x_m, double z_m, std::optional<
     lake.is_wet[static_cast<std::size_t>(post.row - lake.first_row) * static_cast<std::size_t>(lake.columns) +
                 static_cast<std::size_t>(post.column - lake.first_column)] = 1;
   }
-  measure(lake, posts);
+  measure(lake, posts, work);
   return lake;
+}
+
+double nearness_to_lake(const Lake& lake, const TerrainPosts& posts, double x_m, double z_m) {
+  const double x = place_in_posts(x_m, posts.spacing_x_m, posts.columns),
+               z = place_in_posts(z_m, posts.spacing_z_m, posts.rows);
+  const int column = std::clamp(static_cast<int>(x), 0, posts.columns - 2),
+            row = std::clamp(static_cast<int>(z), 0, posts.rows - 2);
+  const auto near = [&](int right, int down) { return lake.is_near(column + right, row + down) ? 1.0 : 0.0; };
+  const double right = x - column;
+  return std::lerp(std::lerp(near(0, 0), near(1, 0), right), std::lerp(near(0, 1), near(1, 1), right),
+                   z - row);
 }
 
 double depth_of_lake(const Lake& lake, const TerrainPosts& posts, double x_m, double z_m) {
@@ -261,15 +319,16 @@ double depth_of_lake(const Lake& lake, const TerrainPosts& posts, double x_m, do
 }
 
 std::vector<std::vector<glm::dvec2>> outline_of(const Lake& lake, const TerrainPosts& posts) {
-  // Sides of cells that the shore crosses, each numbered by its western or northern post; and after each the
-  // next one along the shore.
+  // A side of a cell that the shore crosses, numbered by its western or northern post, and the next one along
+  // the shore.
   struct Crossing {
+    std::size_t side = 0;
     glm::dvec2 place_m{};
     std::size_t next = 0;
-    bool is_there = false;
+    bool is_left = true;  // to be put into a ring
   };
   const auto columns = static_cast<std::size_t>(lake.columns);
-  std::vector<Crossing> crossings(2 * lake.is_wet.size());
+  std::vector<Crossing> crossings;
   const auto post_m = [&](int column, int row) {
     return glm::dvec2((lake.first_column + column) * posts.spacing_x_m,
                       (lake.first_row + row) * posts.spacing_z_m);
@@ -296,7 +355,6 @@ std::vector<std::vector<glm::dvec2>> outline_of(const Lake& lake, const TerrainP
         // all of the water is joined, back over the dry corner.
         std::size_t out = joins ? (in + 3) % 4 : (in + 1) % 4;
         while (!joins && wet[(out + 1) % 4]) out = (out + 1) % 4;
-        Crossing& crossing = crossings[side(in)];
         const auto& dry = corners[in];
         const auto& below = corners[(in + 1) % 4];
         const double dry_m = posts.height_m(lake.first_column + dry[0], lake.first_row + dry[1]),
@@ -304,21 +362,22 @@ std::vector<std::vector<glm::dvec2>> outline_of(const Lake& lake, const TerrainP
         const double share =
             dry_m > below_m ? std::clamp((lake.level_m - below_m) / (dry_m - below_m), 0.0, 1.0) : 1.0;
         const glm::dvec2 from_m = post_m(below[0], below[1]);
-        crossing = {from_m + share * (post_m(dry[0], dry[1]) - from_m), side(out), true};
+        crossings.push_back({side(in), from_m + share * (post_m(dry[0], dry[1]) - from_m), side(out)});
       }
     }
   }
+  std::ranges::sort(crossings, {}, &Crossing::side);
   std::vector<std::vector<glm::dvec2>> rings;
   std::size_t outer = 0;
   double most_m2 = 0.0;
-  for (std::size_t first = 0; first < crossings.size(); ++first) {
-    if (!crossings[first].is_there) continue;
+  for (auto first = crossings.begin(); first != crossings.end(); ++first) {
+    if (!first->is_left) continue;
     std::vector<glm::dvec2>& ring = rings.emplace_back();
-    std::size_t next = first;
-    while (crossings[next].is_there) {
-      ring.push_back(crossings[next].place_m);
-      crossings[next].is_there = false;
-      next = crossings[next].next;
+    auto next = first;
+    while (next->is_left) {
+      ring.push_back(next->place_m);
+      next->is_left = false;
+      next = std::ranges::lower_bound(crossings, next->next, {}, &Crossing::side);
     }
     ring.push_back(ring.front());
     double twice_m2 = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -7,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "host/base/work.h"
 #include "host/terrain/field/terrain_posts.h"
 
 namespace offing::terrain {
@@ -25,13 +27,23 @@ struct Lake {
   double greatest_depth_m = 0.0;
 
   bool is_wet_at(int column, int row) const;
+  /// Whether the post or one beside it is in the lake.
+  bool is_near(int column, int row) const;
 };
+
+/// Posts of a basin, which take up to some tens of bytes of memory each while it is flooded.
+inline constexpr std::size_t most_basin_posts = 1 << 26;
 
 /// The lake at (x_m, z_m) from the map's first post. Without a level it is full, up to its spill level.
 /// Throws Error(bad_input), whose message begins with `name`, for a place off the map, for dry ground, for a
-/// place whose water runs off the map, and for a level above the spill level.
+/// place whose water runs off the map, for a level above the spill level, and for basins of more posts;
+/// and what the work's poll() throws.
 Lake fill_lake(const TerrainPosts& posts, double x_m, double z_m, std::optional<double> level_m,
-               std::string_view name = "lake");
+               std::string_view name = "lake", const Work& work = {},
+               std::size_t most_posts = most_basin_posts);
+
+/// How near the ground at (x_m, z_m) is to a lake's water: 1 in cells with water, 0 a cell farther; linear.
+double nearness_to_lake(const Lake& lake, const TerrainPosts& posts, double x_m, double z_m);
 
 /// The depth of a lake's water at (x_m, z_m); 0 outside.
 double depth_of_lake(const Lake& lake, const TerrainPosts& posts, double x_m, double z_m);
