@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/ocl/program.h"
 
 namespace offing::terrain {
 namespace {
-
-/// Whether the post or one beside it is under water.
-bool is_near_water(const Lake& lake, int column, int row) {
-  for (int z = row - 1; z <= row + 1; ++z) {
-    for (int x = column - 1; x <= column + 1; ++x)
-      if (lake.is_wet_at(x, z)) return true;
-  }
-  return false;
-}
 
 /// As kernels/shared/lakes.h has them.
 std::uint8_t cell_flags(const Lake& lake, int column, int row) {
@@ -23,9 +18,20 @@ std::uint8_t cell_flags(const Lake& lake, int column, int row) {
   for (int corner = 0; corner < 4; ++corner) {
     const int x = column + corner % 2, z = row + corner / 2;
     if (lake.is_wet_at(x, z)) flags |= LAKE_CELL_WET;
-    if (is_near_water(lake, x, z)) flags |= 1 << (LAKE_NEAR_SHIFT + corner);
+    if (lake.is_near(x, z)) flags |= 1 << (LAKE_NEAR_SHIFT + corner);
   }
   return static_cast<std::uint8_t>(flags);
+}
+
+/// The lake's box, and a cell more on each side; from byte 0 on.
+LakeWater box_of(const Lake& lake) {
+  LakeWater box{};
+  box.level_m = static_cast<float>(lake.level_m);
+  box.first_x = lake.first_column - 1;
+  box.first_z = lake.first_row - 1;
+  box.columns = lake.columns + 1;
+  box.rows = lake.rows + 1;
+  return box;
 }
 
 }  // namespace
@@ -37,19 +43,26 @@ LakeLayer::LakeLayer(const ocl::Device& device, const std::vector<std::shared_pt
               .kernel("lake_planes")),
       waters_(device, lakes.size(), "lakes"),
       waves_(device, 1, "waves of lakes") {
-  std::vector<std::uint8_t> cells;
+  constexpr std::int64_t most_bytes = std::numeric_limits<int>::max();
+  std::int64_t bytes = 0;
   for (const auto& lake : lakes) {
-    // The lake's box, and a cell more on each side.
-    LakeWater& box = boxes_.emplace_back();
-    box.level_m = static_cast<float>(lake->level_m);
-    box.first_x = lake->first_column - 1;
-    box.first_z = lake->first_row - 1;
-    box.columns = lake->columns + 1;
-    box.rows = lake->rows + 1;
-    box.first_byte = static_cast<int>(cells.size());
+    LakeWater& box = boxes_.emplace_back(box_of(*lake));
+    box.first_byte = static_cast<int>(bytes);
+    bytes += static_cast<std::int64_t>(box.columns) * box.rows;
+    if (bytes > most_bytes) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("lakes: expected boxes around them of at most {} cells in all, found more", most_bytes),
+          "leave out a large lake, or use a coarser map");
+    }
+  }
+  std::vector<std::uint8_t> cells;
+  cells.reserve(static_cast<std::size_t>(bytes));
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    const LakeWater& box = boxes_[i];
     for (int row = box.first_z; row < box.first_z + box.rows; ++row) {
       for (int column = box.first_x; column < box.first_x + box.columns; ++column)
-        cells.push_back(cell_flags(*lake, column, row));
+        cells.push_back(cell_flags(*lakes[i], column, row));
     }
   }
   cells_ = ocl::Buffer<std::uint8_t>(device, cells, "cells of lakes");
