@@ -265,5 +265,33 @@ TEST_F(TerrainPlaces, AreRefusedWithAHint) {
   refuse_points("-70.49,-32.49\n-70.6,-32.49\n", "questions.csv:2: expected a place on the map");
 }
 
+// Fails if levels of lakes are asked for as heights above ground, or if lakes that share water are drawn
+// twice. Before: "X,Z,H", with a level of 1.7 proposed, and both were drawn.
+TEST_F(TerrainPlaces, LevelsOfLakes) {
+  const auto refusal = [this](const std::string& map, std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", path("lake.png")});
+    const ProgramResult result = ask("render", map, arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.errors;
+  };
+  const std::string local = refusal("utm", {"--lake", "700,700,high"});
+  EXPECT_THAT(local, HasSubstr("X,Z,LEVEL"));
+  EXPECT_THAT(local, HasSubstr("1200,350.5,2600"));
+  const std::string lonlat = refusal("utm", {"--crs", "lonlat", "--lake", "-69,-32.5,high"});
+  EXPECT_THAT(lonlat, HasSubstr("LON,LAT,LEVEL"));
+  EXPECT_THAT(lonlat, HasSubstr("-70.5,-32.5,2500"));
+  {
+    std::ofstream grid(path("bowl.asc"));
+    grid << "ncols 21\nnrows 21\nxllcenter 0\nyllcenter 0\ncellsize 10\n";
+    for (int row = 0; row < 21; ++row) {
+      for (int column = 0; column < 21; ++column) grid << std::hypot(column - 10.0, row - 10.0) << ' ';
+      grid << "\n";
+    }
+  }
+  EXPECT_THAT(
+      refusal("bowl", {"--unit", "metre", "--lake", "100,100,4", "--lake", "110,100"}),
+      HasSubstr("--lake: expected no other lake there, found 110,100 in the water of 100,100,4\nhint: leave"));
+}
+
 }  // namespace
 }  // namespace offing::test

@@ -16,16 +16,25 @@ namespace {
 
 /// What a person writes for a place.
 std::string form_text(PlaceForm form, const std::string& system) {
-  if (system == local_places)
-    return form == PlaceForm::plan ? "X,Z" : form == PlaceForm::above_ground ? "X,Z,H" : "X,Y,Z";
-  const std::string plan = system == lonlat_places ? "LON,LAT" : "X,Y";
-  return form == PlaceForm::plan ? plan : plan + ",HEIGHT";
+  const bool is_local = system == local_places;
+  const std::string plan = is_local ? "X,Z" : system == lonlat_places ? "LON,LAT" : "X,Y";
+  switch (form) {
+    case PlaceForm::plan:
+      return plan;
+    case PlaceForm::above_ground:
+      return plan + (is_local ? ",H" : ",HEIGHT");
+    case PlaceForm::height:
+      return is_local ? "X,Y,Z" : plan + ",HEIGHT";
+    case PlaceForm::level:
+      break;
+  }
+  return plan + ",LEVEL";
 }
 
 std::string example_text(PlaceForm form, const std::string& system, std::string_view local) {
   if (system == local_places) return std::string(local);
   const std::string plan = system == lonlat_places ? "-70.5,-32.5" : "372500,6400000";
-  return form == PlaceForm::plan ? plan : plan + (form == PlaceForm::height ? ",2500" : ",1.7");
+  return form == PlaceForm::plan ? plan : plan + (form == PlaceForm::above_ground ? ",1.7" : ",2500");
 }
 
 }  // namespace

@@ -34,9 +34,10 @@ struct GivenPlace {
   double height_m = 0.0;  ///< where the flag has one
 };
 
-/// What a flag's place has beside the place itself: nothing, a height above ground, or a height. Local places
-/// are written as X,Z or X,Z,H or X,Y,Z, others as the place and then the height.
-enum class PlaceForm { plan, above_ground, height };
+/// What a flag's place has beside the place itself: nothing, a height above ground, a height, or a water
+/// level. Local places are written as X,Z or X,Z,H or X,Y,Z or X,Z,LEVEL, others as the place and then the
+/// height.
+enum class PlaceForm { plan, above_ground, height, level };
 
 /// Throws bad_argument() for anything else than numbers of that form; `example` is a local one.
 GivenPlace read_place(std::string_view flag, std::string_view text, PlaceForm form, const std::string& system,

@@ -11,6 +11,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/base/work.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"
 #include "host/cli/terrain/place_system.h"
@@ -132,16 +133,23 @@ void plant(ColourMap picture, const RenderSettings& settings, TerrainScenery& sc
 
 /// Of `--lake X,Z` and `--lake X,Z,LEVEL`.
 void add_lakes(const TerrainRenderArguments& arguments, const PlaceSystem& system,
-               const terrain::TerrainPosts& posts, TerrainScenery& scenery) {
+               const terrain::TerrainPosts& posts, const CancelToken& cancel, TerrainScenery& scenery) {
   for (const std::string& text : arguments.lakes) {
     const bool has_level = std::ranges::count(text, ',') == 2;
-    const GivenPlace given = read_place("--lake", text, has_level ? PlaceForm::above_ground : PlaceForm::plan,
+    const GivenPlace given = read_place("--lake", text, has_level ? PlaceForm::level : PlaceForm::plan,
                                         system.name(), has_level ? "1200,350.5,2600" : "1200,350.5");
     const glm::dvec2 place_m = system.within_map("--lake", given.place);
     const std::optional<double> level_m = has_level ? std::optional(given.height_m) : std::nullopt;
     world::LakeSettings lake;
     lake.lake = std::make_shared<const terrain::Lake>(
-        terrain::fill_lake(posts, place_m.x, place_m.y, level_m, "--lake"));
+        terrain::fill_lake(posts, place_m.x, place_m.y, level_m, "--lake", Work(cancel)));
+    for (std::size_t i = 0; i < scenery.lakes.size(); ++i) {
+      if (!terrain::overlap(*scenery.lakes[i].lake, *lake.lake)) continue;
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("--lake: expected no other lake there, found {} in the water of {}",
+                              printable(text), printable(arguments.lakes[i])),
+                  "leave out one of them");
+    }
     scenery.lakes.push_back(std::move(lake));
   }
 }
@@ -192,14 +200,14 @@ Rendered render_map(const TerrainRenderArguments& arguments, const RenderSetting
   Camera camera = read_camera(arguments, settings, system, camera_terrain(file.map));
   TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
   scenery.sea_goes_on = has_water_at_edges(file.map, settings.sea_level_m);
-  if (arguments.camera == "walk") stand_on_relief(terrain::posts_of(file.map), scenery, camera);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   if (!arguments.canopy_map.empty()) {
     plant(read_colour_map(arguments.canopy_map, file.map, {.trust = arguments.input.trust()}), settings,
           scenery);
   }
-  add_lakes(arguments, system, terrain::posts_of(file.map), scenery);
+  add_lakes(arguments, system, terrain::posts_of(file.map), options.cancel, scenery);
+  if (arguments.camera == "walk") stand_on_relief(terrain::posts_of(file.map), scenery, camera);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
@@ -231,9 +239,9 @@ Rendered render_store(const TerrainRenderArguments& arguments, const RenderSetti
   }
   const terrain::TerrainPosts posts =
       terrain::posts_of(scene::tiled_map(header), scene::tile_reader(store), terrain::Unreadable::refused);
+  add_lakes(arguments, system, posts, options.cancel, scenery);
   if (arguments.camera == "walk" && field.map().edge == terrain::MapEdge::ends)
     stand_on_relief(posts, scenery, camera);
-  add_lakes(arguments, system, posts, scenery);
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
   return {camera, eye_in(system, camera), draw_terrain(device, field, camera, scenery, settings.show)};
