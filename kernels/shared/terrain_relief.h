@@ -3,7 +3,8 @@
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_RELIEF_H
 #define OFFING_KERNELS_SHARED_TERRAIN_RELIEF_H
 
-#define TERRAIN_RELIEF_LEVELS 4
+// At most so many levels.
+#define TERRAIN_RELIEF_LEVELS 3
 // A level has at most so many cells a side, and its posts are spaced four times as far as those of the level before.
 #define TERRAIN_RELIEF_CELLS 256
 #define TERRAIN_RELIEF_POSTS 257
@@ -28,8 +29,8 @@ typedef struct {
   float share;  // 1: level, 0: as elsewhere
 } TerrainReliefDisc;
 
-// Heights are [levels][257][257], of which the first cells + 1 posts of a row are of use; maxima [levels][21845] as those
-// of a map of 256 x 256 cells.
+// Heights are [levels][257][257], of which the first cells + 1 posts of a row are of use; maxima [levels][21845] as those of a
+// map of 256 x 256 cells. Levels are TERRAIN_RELIEF_LEVELS here.
 typedef struct {
   int levels;       // 0: the ground is drawn as the map has it
   int finest_log2;  // the first level has 2^finest_log2 steps to a cell of the map
@@ -38,7 +39,7 @@ typedef struct {
   float eye_fraction_x, eye_fraction_z, eye_height_m;
   float strength;  // of the relief: 1 is that of the light on it
   float reach_m;   // there is none farther from the eye
-  // Heights between which the ground's cover changes; none is at or below shore_m.
+  // Heights between which the ground's cover changes; there is no relief at or below shore_m.
   float shore_m, tree_line_m, snow_line_m;
   int discs;
 } TerrainRelief;

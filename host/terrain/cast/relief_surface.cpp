@@ -10,7 +10,6 @@
 namespace offing::terrain {
 namespace {
 
-constexpr int most_levels = 3;
 // Steps of the first level are at most so long.
 constexpr double longest_step_m = 0.25;
 constexpr int most_steps_log2 = 30;  // along a map, so that their numbers are ints
@@ -29,7 +28,7 @@ ReliefLevels relief_levels(int cells_x, int cells_z, double spacing_x_m, double 
       static_cast<int>(std::ceil(std::log2(std::max(spacing_x_m, spacing_z_m) / longest_step_m)));
   const int most = most_steps_log2 - static_cast<int>(std::ceil(std::log2(std::max(cells_x, cells_z))));
   ReliefLevels levels{.finest_log2 = std::min(wanted, most)};
-  levels.count = std::clamp((levels.finest_log2 + 1) / TERRAIN_RELIEF_RATIO_LOG2, 0, most_levels);
+  levels.count = std::clamp((levels.finest_log2 + 1) / TERRAIN_RELIEF_RATIO_LOG2, 0, TERRAIN_RELIEF_LEVELS);
   if (levels.count == 0) return levels;
   const int coarsest_log2 = levels.finest_log2 - (levels.count - 1) * TERRAIN_RELIEF_RATIO_LOG2;
   // The eye is anywhere within the four steps between posts of the next level.

@@ -231,3 +231,8 @@ TEST_F(ReliefSurfaceTest, IsLaidOnlyWhereItIsSeen) {
 
 }  // namespace
 }  // namespace offing
+// Fails if there is memory for more levels than any map has. Before: four levels, of which three were used.
+TEST(ReliefLevelsTest, AreAllUsed) {
+  EXPECT_EQ(terrain::relief_levels(1024, 1024, 90.0, 90.0).count, TERRAIN_RELIEF_LEVELS);
+}
+
