@@ -170,6 +170,7 @@ terrain::ReliefSettings WorldTerrain::relief_settings() const {
   const bool goes_on = tiles_ && tiles_->map().edge != terrain::MapEdge::ends;
   terrain::ReliefSettings settings = relief_of(parameters_.lines, goes_on ? 0.0 : parameters_.relief);
   settings.discs = level_discs_;
+  for (const LakeSettings& each : parameters_.lakes) settings.lakes.push_back(each.lake);
   return settings;
 }
 
@@ -245,7 +246,7 @@ void WorldTerrain::lay_relief(const Camera& camera) {
   if (tiles_) {
     // Of tiles, nothing is waited for: their coarsest level is nowhere below the ground.
     const double above_m = camera.eye_m.y - tiles_->coarse_height_m(camera.eye_m.x, camera.eye_m.z);
-    relief_.at(*tiles_, camera, above_m, settings);
+    relief_.at(*tiles_, camera, above_m, settings, lakes_ ? &*lakes_ : nullptr);
     return;
   }
   if (settings.strength > 0.0 && !rises_near(camera, settings.shore_m)) settings.strength = 0.0;
@@ -254,7 +255,7 @@ void WorldTerrain::lay_relief(const Camera& camera) {
   laid_.reset();
   const std::optional<terrain::TerrainPoint> below = terrain_at(camera.eye_m.x, camera.eye_m.z);
   const double above_m = below ? camera.eye_m.y - below->height_m : std::numeric_limits<double>::infinity();
-  relief_.at(*field_, camera, above_m, view.settings);
+  relief_.at(*field_, camera, above_m, view.settings, lakes_ ? &*lakes_ : nullptr);
   laid_ = view;
 }
 

@@ -1,15 +1,17 @@
 // Posts of the ground that is drawn near the eye: the map's surface and the relief of what covers it, finer than its posts
 // (shared/terrain_relief.h). The octaves are those by which terrain/terrain_cover.clh turns the ground to the light, as
 // far as they are larger than four steps of the first level.
-// In:  heights [rows][columns] m, maxima, or with TILED the pool and pages of shared/terrain_tiles.h; field; view; relief and its discs.
-// Inout: relief_m [levels][257][257] m, -FLT_MAX beyond a level's posts: that of `level` from those of level + 1, on whose surface its edges lie.
+// In:  heights [rows][columns] m, maxima, or with TILED the pool and pages of shared/terrain_tiles.h; field; view; relief and its discs; lakes with
+//      the flags of their cells (shared/lakes.h).
+// Inout: relief_m [3][257][257] m, -FLT_MAX beyond a level's posts: that of `level` from those of level + 1, on whose surface its edges lie.
+#include "terrain/lakes/lake_hits.clh"
 #include "terrain/relief.clh"
 #include "terrain/terrain_cover.clh"
 
 // Octaves end where their cells are seen so small, in distances.
 #define FULL_CELLS 16.0f
 #define LAST_CELLS 26.0f
-// Relief begins so high above the shore.
+// Relief is complete so high above the shore, of the sea and of lakes.
 #define SHORE_RAMP_M 4.0f
 // From below the eye on, outward and up, it leaves a bowl open, so that no camera above the map's surface is in it.
 #define BOWL_DEPTH_M 1.6f
@@ -98,7 +100,8 @@ INLINE lanes relief_height(TerrainField field, NoisePlaces places, ReliefParts p
 
 __kernel void relief_posts(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                            TerrainField field, TerrainView view, const TerrainRelief relief,
-                           __global const TerrainReliefDisc *restrict discs, int level,
+                           __global const TerrainReliefDisc *restrict discs, __global const LakeWater *restrict lakes,
+                           __global const uchar *restrict lake_cells, int lake_count, int level,
                            __global float *restrict relief_m) {
   const Terrain terrain = {heights_m, maxima_m, field};
   const int first = (int)get_global_id(0) * LANES, row = (int)get_global_id(1);
@@ -139,6 +142,10 @@ __kernel void relief_posts(__global const float *restrict heights_m, __global co
       strength *= 1.0f - disc.share * (1.0f - smoothstep((lanes)disc.radius_m, (lanes)(disc.radius_m + disc.ramp_m),
                                                          sqrt(x_m * x_m + z_m * z_m)));
     }
+    const Lakes all_lakes = {lakes, lake_cells, lake_count};
+    const LakeBanks bank = lake_bank(all_lakes, all, cell_x, cell_z, u, v, surface.height_m);
+    const lanes above_bank = clamp(bank.above_m * (1.0f / SHORE_RAMP_M), (lanes)0.0f, (lanes)1.0f);
+    strength *= 1.0f - bank.nearness * (1.0f - above_bank);
     const NoisePlaces places = noise_places(field, cell_x, cell_z, u, v, surface.height_m);
     const float finest_m = cell_m / (float)(1 << relief.finest_log2);
     added_m = strength * relief_height(field, places, relief_parts(relief, surface.height_m, up), distance_m,

@@ -64,7 +64,7 @@ double above_ground_m(Field& field, const Camera& camera) {
 template <class Field>
 void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
                 const TerrainScenery& scenery, const terrain::ReliefSurface& relief,
-                const ocl::Buffer<TerrainHit>& hits, TerrainRender& picture) {
+                const ocl::Buffer<TerrainHit>& hits, terrain::LakeLayer* lakes, TerrainRender& picture) {
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
@@ -86,17 +86,14 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   if (!laid.empty()) look.materials = &materials.emplace(device, laid);
   std::optional<terrain::CanopyLayer> canopy;
   if (scenery.canopy) look.canopy = &canopy.emplace(device, *scenery.canopy);
-  std::optional<terrain::LakeLayer> lakes;
-  if (!scenery.lakes.empty()) {
-    std::vector<std::shared_ptr<const terrain::Lake>> filled;
+  if (lakes != nullptr) {
     std::vector<terrain::LakeLook> looks;
     for (const world::LakeSettings& each : scenery.lakes) {
-      filled.push_back(each.lake);
       looks.push_back(
           world::look_of_lake(each, camera.eye_m, 0.0, at_eye, std::sin(scenery.sun_elevation_rad)));
     }
-    lakes.emplace(device, filled).set_looks(looks);
-    look.lakes = &*lakes;
+    lakes->set_looks(looks);
+    look.lakes = lakes;
     ocl::Buffer<float> distances(device, picture.distances_m, "distances");
     if constexpr (std::is_same_v<Field, terrain::HeightField>) {
       lakes->stand_before(field.device_field(terrain::CastMethod::parity),
@@ -144,14 +141,17 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
              height = static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");
   terrain::ReliefSurface relief(device);
-  relief.at(field, camera, above_ground_m(field, camera), world::relief_of(scenery.lines, scenery.relief));
+  const terrain::ReliefSettings settings = scenery.relief_settings();
+  std::optional<terrain::LakeLayer> lakes;
+  if (!settings.lakes.empty()) lakes.emplace(device, settings.lakes);
+  relief.at(field, camera, above_ground_m(field, camera), settings, lakes ? &*lakes : nullptr);
   field.cast(camera, relief, hits_on_device);
   const std::vector<TerrainHit> hits = hits_on_device.read();
   TerrainRender picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
   for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
   if (show == TerrainShow::light) {
-    draw_light(device, field, camera, scenery, relief, hits_on_device, picture);
+    draw_light(device, field, camera, scenery, relief, hits_on_device, lakes ? &*lakes : nullptr, picture);
   }
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];
@@ -166,6 +166,12 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
 }
 
 }  // namespace
+
+terrain::ReliefSettings TerrainScenery::relief_settings() const {
+  terrain::ReliefSettings settings = world::relief_of(lines, relief);
+  for (const world::LakeSettings& each : lakes) settings.lakes.push_back(each.lake);
+  return settings;
+}
 
 TerrainRender draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
                            const TerrainScenery& scenery, TerrainShow show) {

@@ -30,6 +30,8 @@ struct TerrainScenery {
   terrain::Landscape landscape = terrain::Landscape::plain;
   std::optional<terrain::Canopy> canopy = {};  ///< woods; none: there are none
   double relief = 1.0;                         ///< strength of relief between posts, near the eye
+
+  terrain::ReliefSettings relief_settings() const;
 };
 
 /// What a picture shows.

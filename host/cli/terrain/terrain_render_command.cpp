@@ -189,8 +189,8 @@ bool has_water_at_edges(const HeightMap& map, double level_m) {
 
 /// Brings a camera on foot to the ground as it is drawn.
 void stand_on_relief(const terrain::TerrainPosts& posts, const TerrainScenery& scenery, Camera& camera) {
-  camera.eye_m.y += terrain::relief_height_m(posts, world::relief_of(scenery.lines, scenery.relief),
-                                             camera.eye_m.x, camera.eye_m.z, camera.eye_m);
+  camera.eye_m.y += terrain::relief_height_m(posts, scenery.relief_settings(), camera.eye_m.x, camera.eye_m.z,
+                                             camera.eye_m);
 }
 
 Rendered render_map(const TerrainRenderArguments& arguments, const RenderSettings& settings,

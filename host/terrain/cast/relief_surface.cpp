@@ -44,7 +44,9 @@ ReliefSurface::ReliefSurface(const ocl::Device& device)
       reduce_(ocl::Program::build(device, "terrain/pyramid_reduce.cl").kernel("pyramid_reduce")),
       heights_m_(device, TERRAIN_RELIEF_LEVELS * posts_a_level, "relief"),
       maxima_m_(device, std::size_t{TERRAIN_RELIEF_LEVELS} * TERRAIN_RELIEF_NODES, "relief maxima"),
-      discs_(device, most_discs, "relief discs") {}
+      discs_(device, most_discs, "relief discs"),
+      no_lakes_(device, 1, "no lakes"),
+      no_cells_(device, 1, "no cells of lakes") {}
 
 bool ReliefSurface::choose_levels(const TerrainField& field, const TerrainView& eye, double above_m,
                                   const ReliefSettings& settings) {
@@ -93,11 +95,13 @@ bool ReliefSurface::choose_levels(const TerrainField& field, const TerrainView& 
 
 void ReliefSurface::lay(const ocl::Kernel& posts, const ocl::Buffer<float>& heights_m,
                         const ocl::Buffer<float>& maxima_m, const TerrainField& field,
-                        const TerrainView& view) {
+                        const TerrainView& view, const LakeLayer* lakes) {
   const ocl::LaunchShape shape = ocl::launch_shape(rays_, TERRAIN_RELIEF_POSTS, TERRAIN_RELIEF_POSTS);
   const auto level_begin = [](int level) { return level * static_cast<int>(posts_a_level); };
   for (int level = params_.levels - 1; level >= 0; --level) {
-    posts.launch(shape, heights_m, maxima_m, field, view, params_, discs_, level, heights_m_);
+    posts.launch(shape, heights_m, maxima_m, field, view, params_, discs_,
+                 lakes ? lakes->waters() : no_lakes_, lakes ? lakes->cells() : no_cells_,
+                 lakes ? lakes->count() : 0, level, heights_m_);
     std::size_t nodes = TERRAIN_RELIEF_CELLS / 2;
     int begin = level * TERRAIN_RELIEF_NODES;
     base_.launch({{nodes, nodes}}, heights_m_, level_begin(level), TERRAIN_RELIEF_POSTS, TERRAIN_RELIEF_POSTS,
@@ -112,7 +116,7 @@ void ReliefSurface::lay(const ocl::Kernel& posts, const ocl::Buffer<float>& heig
 }
 
 void ReliefSurface::at(const HeightField& field, const Camera& camera, double above_m,
-                       const ReliefSettings& settings) {
+                       const ReliefSettings& settings, const LakeLayer* lakes) {
   const TerrainField of_map = field.device_field(CastMethod::parity);
   const TerrainView view = device_view(camera, field.grid());
   if (!choose_levels(of_map, view, above_m, settings)) return;
@@ -121,11 +125,11 @@ void ReliefSurface::at(const HeightField& field, const Camera& camera, double ab
         ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT);
     map_posts_ = ocl::Program::build(device_, "terrain/relief_posts.cl", defines).kernel("relief_posts");
   }
-  lay(*map_posts_, field.heights_m(), field.pyramid().maxima_m(), of_map, view);
+  lay(*map_posts_, field.heights_m(), field.pyramid().maxima_m(), of_map, view, lakes);
 }
 
 void ReliefSurface::at(const TiledField& field, const Camera& camera, double above_m,
-                       const ReliefSettings& settings) {
+                       const ReliefSettings& settings, const LakeLayer* lakes) {
   params_ = {};
   if (field.map().edge != MapEdge::ends) return;
   const TerrainField of_map = field.device_field();
@@ -136,7 +140,7 @@ void ReliefSurface::at(const TiledField& field, const Camera& camera, double abo
         ocl::Program::build(device_, "terrain/relief_posts.cl", tiles_defines(rays_.lanes, MapEdge::ends))
             .kernel("relief_posts");
   }
-  lay(*tile_posts_, field.pool(), field.pages(), of_map, view);
+  lay(*tile_posts_, field.pool(), field.pages(), of_map, view, lakes);
 }
 
 }  // namespace offing::terrain

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "host/ocl/kernel.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
+#include "host/terrain/lakes/lake_layer.h"
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_relief.h"
 
@@ -35,6 +37,7 @@ struct ReliefSettings {
   double shore_m = -1e30;                             ///< there is none at or below this height
   double tree_line_m = 2000.0, snow_line_m = 2800.0;  ///< m; stones lie above the first
   std::vector<LevelDisc> discs = {};
+  std::vector<std::shared_ptr<const Lake>> lakes = {};  ///< at whose shores relief ends as at shore_m
 
   bool operator==(const ReliefSettings&) const = default;
 };
@@ -60,10 +63,12 @@ class ReliefSurface {
 
   /// Enqueues the surface that a camera sees; it keeps no reference to the field. Outside the picture it is
   /// the field's own surface. There is no relief where the eye is off the map, or too high above the ground
-  /// (`above_m`). Throws what device_view() throws.
-  void at(const HeightField& field, const Camera& camera, double above_m, const ReliefSettings& settings);
+  /// (`above_m`). `lakes` are those of the settings, null for none. Throws what device_view() throws.
+  void at(const HeightField& field, const Camera& camera, double above_m, const ReliefSettings& settings,
+          const LakeLayer* lakes = nullptr);
   /// The same with the tiles of the last look(). Maps that repeat or mirror have no relief.
-  void at(const TiledField& field, const Camera& camera, double above_m, const ReliefSettings& settings);
+  void at(const TiledField& field, const Camera& camera, double above_m, const ReliefSettings& settings,
+          const LakeLayer* lakes = nullptr);
 
   /// Whether the last at() made any relief; if not, the field is drawn as it is.
   bool is_laid() const { return params_.levels > 0; }
@@ -76,7 +81,7 @@ class ReliefSurface {
   bool choose_levels(const TerrainField& field, const TerrainView& eye, double above_m,
                      const ReliefSettings& settings);
   void lay(const ocl::Kernel& posts, const ocl::Buffer<float>& heights_m, const ocl::Buffer<float>& maxima_m,
-           const TerrainField& field, const TerrainView& view);
+           const TerrainField& field, const TerrainView& view, const LakeLayer* lakes);
 
   ocl::Device device_;
   ocl::KernelTuning rays_;
@@ -84,6 +89,8 @@ class ReliefSurface {
   ocl::Kernel base_, reduce_;
   ocl::Buffer<float> heights_m_, maxima_m_;
   ocl::Buffer<TerrainReliefDisc> discs_;
+  ocl::Buffer<LakeWater> no_lakes_;
+  ocl::Buffer<std::uint8_t> no_cells_;
   TerrainRelief params_{};
 };
 

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "host/terrain/lakes/lake.h"
+
 namespace offing::terrain {
 namespace {
 
@@ -98,6 +100,10 @@ double relief_height_m(const TerrainPosts& posts, const ReliefSettings& settings
   for (const LevelDisc& disc : settings.discs) {
     const double away_m = std::hypot(x_m - disc.x_m, z_m - disc.z_m);
     strength *= 1.0 - disc.share * (1.0 - smooth_step(disc.radius_m, disc.radius_m + disc.ramp_m(), away_m));
+  }
+  for (const auto& lake : settings.lakes) {
+    const double above = std::clamp((ground->height_m - lake->level_m) / 4.0, 0.0, 1.0);
+    strength *= 1.0 - nearness_to_lake(*lake, posts, x_m, z_m) * (1.0 - above);
   }
   const ReliefParts parts = parts_of(settings, ground->height_m, normal->y);
   const glm::dvec3 steps(lattice_place(cells_x, posts.spacing_x_m),

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "host/base/error.h"
 #include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/lakes/lake_layer.h"
 #include "host/terrain/walk/relief_height.h"
 #include "tests/terrain/relief/relief_reference.h"
 #include "tests/terrain/terrain_painter.h"
@@ -35,6 +40,22 @@ terrain::TerrainPosts posts_of(const test::HeightMap& map) {
           .spacing_z_m = map.grid.spacing_z_m,
           .height_m = [&map](int column, int row) { return map.at(column, row); },
           .is_void = [](int, int) { return false; }};
+}
+
+terrain::Lake largest_lake(const terrain::TerrainPosts& posts) {
+  terrain::Lake largest;
+  for (int row = 3; row < posts.rows - 3; row += 3) {
+    for (int column = 3; column < posts.columns - 3; column += 3) {
+      try {
+        terrain::Lake lake =
+            terrain::fill_lake(posts, column * posts.spacing_x_m, row * posts.spacing_z_m, std::nullopt);
+        if (lake.area_m2 > largest.area_m2) largest = std::move(lake);
+      } catch (const Error&) {
+        continue;  // from where water runs off the map
+      }
+    }
+  }
+  return largest;
 }
 
 class ReliefSurfaceTest : public testing::Test {
@@ -122,6 +143,51 @@ TEST(ReliefLevelsTest, ReachNowhereWithoutAny) {
   EXPECT_EQ(terrain::relief_levels(4096, 4096, 0.05, 0.05).count, 0);
   EXPECT_EQ(terrain::relief_levels(4096, 4096, 0.05, 0.05).reach_m, 0.0);
   EXPECT_GT(terrain::relief_levels(4096, 4096, 30.0, 30.0).reach_m, 100.0);
+}
+
+// Fails if relief raises the bed of a lake, where stones stood out of the water before, or if walkers stand
+// on another shore than the drawn one. Limit as above.
+TEST_F(ReliefSurfaceTest, EndsAtLakes) {
+  ReliefSettings dry = settings;
+  dry.discs.clear();
+  dry.shore_m = -1e4;
+  const auto lake = std::make_shared<const terrain::Lake>(largest_lake(posts_));
+  ReliefSettings wet = dry;
+  wet.lakes = {lake};
+  const terrain::LakeLayer layer(device_, wet.lakes);
+  Camera camera = camera_at((lake->first_column + 2) * posts_.spacing_x_m,
+                            (lake->first_row + 0.5 * lake->rows) * posts_.spacing_z_m, 12.0);
+  camera.pitch_rad = -0.5 * std::numbers::pi;
+  camera.vertical_field_of_view_rad = 3.1;
+  relief_.at(field_, camera, 12.0, wet, &layer);
+  double worst_m = 0.0, without_lake_m = 0.0;
+  int in_bed = 0, on_shore = 0;
+  for (const PostSheet& sheet : test::sheets_of(map_, relief_)) {
+    if (sheet.columns != TERRAIN_RELIEF_POSTS) continue;  // the map
+    for (int z = 3; z < sheet.cells_z; z += 7) {
+      for (int x = 2; x < sheet.cells_x; x += 7) {
+        const double x_m = sheet.left_m + x * sheet.step_x_m, z_m = sheet.top_m + z * sheet.step_z_m;
+        const double ground = ground_m(x_m, z_m), below_m = camera.eye_m.y - ground;
+        if (below_m < 0.05 * std::hypot(x_m - camera.eye_m.x, z_m - camera.eye_m.z)) continue;
+        const double found_m = static_cast<double>(sheet.post_m(x, z)) - ground;
+        const double without_m = terrain::relief_height_m(posts_, dry, x_m, z_m, camera.eye_m);
+        if (terrain::depth_of_lake(*lake, posts_, x_m, z_m) > 0.0) {
+          ++in_bed;
+          EXPECT_NEAR(found_m, 0.0, 1e-4);
+          without_lake_m = std::max(without_lake_m, without_m);
+        }
+        const double expected_m = terrain::relief_height_m(posts_, wet, x_m, z_m, camera.eye_m);
+        if (expected_m != 0.0 && std::abs(expected_m - without_m) > 0.01) ++on_shore;
+        worst_m = std::max(worst_m, std::abs(found_m - expected_m));
+      }
+    }
+  }
+  std::printf("posts differ by up to %.2g m, without the lake its bed is up to %.2f m higher, %d %d\n",
+              worst_m, without_lake_m, in_bed, on_shore);
+  EXPECT_LE(worst_m, 1e-3);
+  EXPECT_GE(without_lake_m, 0.2);
+  EXPECT_GE(in_bed, 100);
+  EXPECT_GE(on_shore, 20);
 }
 
 // Fails if a ray passes through the drawn ground, hits it more than 1e-3 cells away from where it is, or
@@ -215,6 +281,11 @@ TEST(ReliefLightTest, HigherReliefHasMoreLightAndShade) {
   EXPECT_GE(high, 1.3 * usual);
 }
 
+// Fails if there is memory for more levels than any map has. Before: four levels, of which three were used.
+TEST(ReliefLevelsTest, AreAllUsed) {
+  EXPECT_EQ(terrain::relief_levels(1024, 1024, 90.0, 90.0).count, TERRAIN_RELIEF_LEVELS);
+}
+
 // Fails if relief stays when the eye is too far above the ground or off the map, or where it is switched off.
 TEST_F(ReliefSurfaceTest, IsLaidOnlyWhereItIsSeen) {
   cast(camera_at(500.0, 430.0, 2.0));
@@ -231,8 +302,3 @@ TEST_F(ReliefSurfaceTest, IsLaidOnlyWhereItIsSeen) {
 
 }  // namespace
 }  // namespace offing
-// Fails if there is memory for more levels than any map has. Before: four levels, of which three were used.
-TEST(ReliefLevelsTest, AreAllUsed) {
-  EXPECT_EQ(terrain::relief_levels(1024, 1024, 90.0, 90.0).count, TERRAIN_RELIEF_LEVELS);
-}
-
