@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/base/camera.h"
 #include "host/base/wave_spectrum.h"
@@ -19,6 +20,7 @@
 #include "host/terrain/analysis/viewshed.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/lakes/lake.h"
 #include "host/world/world.h"
 
 /// What the handles of offing.h are.
@@ -73,6 +75,18 @@ struct OffingWorld : offing::c::OneAtATime {
   std::optional<CloudExtinction> cloud_extinction;
 };
 
+namespace offing::c {
+
+/// A lake, what was asked for, and its outline as values of the interface.
+struct FilledLake {
+  double x_m = 0.0, z_m = 0.0;
+  std::optional<double> level_m;
+  terrain::Lake lake;
+  std::vector<double> outline_m;
+};
+
+}  // namespace offing::c
+
 struct OffingTerrain : offing::c::OneAtATime {
   OffingTerrain(const offing::ocl::Device& on, offing::HeightMapFile of)
       : device(on),
@@ -87,4 +101,6 @@ struct OffingTerrain : offing::c::OneAtATime {
   offing::terrain::HeightField field;
   offing::terrain::TerrainPosts posts;
   std::optional<offing::terrain::Viewshed> viewshed;  // once asked for
+  // The last one: callers ask for its size first.
+  std::optional<offing::c::FilledLake> lake;
 };

@@ -56,6 +56,17 @@ std::vector<double> outline_values(const offing::terrain::Lake& lake,
   return values;
 }
 
+/// The last lake, if it is the one that is asked for.
+const offing::c::FilledLake& filled_lake(OffingTerrain& terrain, double x_m, double z_m,
+                                         const std::optional<double>& level_m) {
+  std::optional<offing::c::FilledLake>& last = terrain.lake;
+  if (last && last->x_m == x_m && last->z_m == z_m && last->level_m == level_m) return *last;
+  last.reset();
+  offing::terrain::Lake lake = offing::terrain::fill_lake(terrain.posts, x_m, z_m, level_m);
+  std::vector<double> outline_m = outline_values(lake, terrain.posts);
+  return last.emplace(offing::c::FilledLake{x_m, z_m, level_m, std::move(lake), std::move(outline_m)});
+}
+
 std::string text_of(const char* text) {
   return text == nullptr ? std::string() : std::string(text);
 }
@@ -554,10 +565,10 @@ OffingStatus offing_fill_lake(OffingTerrain* terrain, double x_m, double z_m, co
   return run([&] {
     const Use use(terrain, "terrain");
     if (depth_m != nullptr) offing::c::require_count("count", count, terrain->post_count());
-    const offing::terrain::TerrainPosts posts = offing::terrain::posts_of(terrain->file.map);
-    const offing::terrain::Lake filled = offing::terrain::fill_lake(
-        posts, x_m, z_m, level_m != nullptr ? std::optional(*level_m) : std::nullopt);
-    const std::vector<double> outline = outline_values(filled, posts);
+    const offing::c::FilledLake& last =
+        filled_lake(*terrain, x_m, z_m, level_m != nullptr ? std::optional(*level_m) : std::nullopt);
+    const offing::terrain::Lake& filled = last.lake;
+    const std::vector<double>& outline = last.outline_m;
     if (outline_m != nullptr) offing::c::require_count("outline_count", outline_count, outline.size() / 2);
     if (lake != nullptr) {
       OffingLake found{};
@@ -574,7 +585,7 @@ OffingStatus offing_fill_lake(OffingTerrain* terrain, double x_m, double z_m, co
     if (outline_m != nullptr) std::ranges::copy(outline, outline_m);
     if (depth_m == nullptr) return;
     for (std::size_t post = 0; post < count; ++post) {
-      const auto columns = static_cast<std::size_t>(posts.columns);
+      const auto columns = static_cast<std::size_t>(terrain->posts.columns);
       const bool is_wet =
           filled.is_wet_at(static_cast<int>(post % columns), static_cast<int>(post / columns));
       depth_m[post] = is_wet ? static_cast<float>(filled.level_m - terrain->file.map.heights_m[post]) : 0.0f;

@@ -279,6 +279,27 @@ TEST_F(TerrainCallsTest, FillsLakes) {
   EXPECT_THAT(offing_last_error(), HasSubstr("spill level"));
 }
 
+// Fails if a lake is flooded again to fill the arrays that its first answer gave the size of. Before: it was.
+TEST_F(TerrainCallsTest, FloodsALakeOnce) {
+  int looks = 0;
+  const auto height_m = terrain_->posts.height_m;
+  terrain_->posts.height_m = [&](int column, int row) {
+    ++looks;
+    return height_m(column, row);
+  };
+  auto lake = sized<OffingLake>();
+  const auto fill = [&](double x_m, double* outline_m, std::uint64_t count) {
+    looks = 0;
+    EXPECT_EQ(offing_fill_lake(terrain_, x_m, 64.0, nullptr, &lake, nullptr, 0, outline_m, count), OFFING_OK)
+        << offing_last_error();
+    return looks;
+  };
+  EXPECT_GT(fill(110.0, nullptr, 0), 0);
+  std::vector<double> outline_m(2 * lake.outline_count);
+  EXPECT_EQ(fill(110.0, outline_m.data(), lake.outline_count), 0);
+  EXPECT_GT(fill(111.0, nullptr, 0), 0);
+}
+
 // Fails if factors, horizons or hours are not those of the library, zeros are not the usual settings, or a
 // terrain without a place in the world gets a sun.
 TEST_F(TerrainCallsTest, ComputesSkyAndSun) {
