@@ -23,6 +23,8 @@ constexpr double water_leaving_share = 0.54;
 constexpr double ruffling_wind_mps = 1.5;
 
 /// The longest waves of a sea that has grown over so long a way (Hasselmann et al. 1973, JONSWAP).
+/// Below it waves are no longer told from a mirror, and the laws of their growth leave the range of numbers.
+constexpr double least_wind_mps = 1e-3;
 double peak_radpm(double wind_mps, double fetch_m) {
   const double growth = gravity_mps2 * fetch_m / (wind_mps * wind_mps);
   const double omega_radps =
@@ -66,7 +68,7 @@ terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& e
   water.of_sun_blue_kcdpm2 = rise * deep(light.sun_klx, 2);
 
   const double wind_mps = settings.wind.wind_speed_mps;
-  if (wind_mps <= 0.0) return look;
+  if (wind_mps < least_wind_mps) return look;
   const ocean::SlopeCovariance all = ocean::measured_slopes(settings.wind);
   const double ruffled = std::min(wind_mps / ruffling_wind_mps, 1.0);
   const double longest_radpm =
