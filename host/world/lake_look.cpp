@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <numbers>
 
+#include "host/base/numbers/normal_deviations.h"
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/spectrum/slope_covariance.h"
 
 namespace offing::world {
 namespace {
 
-constexpr double gravity_mps2 = 9.81;
+constexpr double gravity_mps2 = ocean::Dispersion{}.gravity_mps2;
 constexpr double turn_rad = 2.0 * std::numbers::pi;
 constexpr int wave_count = 28;
 constexpr double shortest_wave_radpm = turn_rad / 0.15;
@@ -21,10 +23,10 @@ constexpr double water_leaving_share = 0.54;
 
 /// Below it the skin of water stays smooth.
 constexpr double ruffling_wind_mps = 1.5;
-
-/// The longest waves of a sea that has grown over so long a way (Hasselmann et al. 1973, JONSWAP).
 /// Below it waves are no longer told from a mirror, and the laws of their growth leave the range of numbers.
 constexpr double least_wind_mps = 1e-3;
+
+/// The longest waves of a sea that has grown over so long a way (Hasselmann et al. 1973, JONSWAP).
 double peak_radpm(double wind_mps, double fetch_m) {
   const double growth = gravity_mps2 * fetch_m / (wind_mps * wind_mps);
   const double omega_radps =
@@ -36,13 +38,6 @@ double peak_radpm(double wind_mps, double fetch_m) {
 double spread_number(int i, double step) {
   const double value = (i + 1) * step;
   return value - std::floor(value);
-}
-
-/// Of a normal distribution, by what is below it (Winitzki 2008).
-double deviations_below(double share) {
-  const double x = 2.0 * share - 1.0, a = 0.147, l = std::log(1.0 - x * x);
-  const double b = 2.0 / (std::numbers::pi * a) + 0.5 * l;
-  return std::copysign(std::sqrt(2.0) * std::sqrt(std::sqrt(b * b - l / a) - b), x);
 }
 
 }  // namespace

@@ -1,20 +1,18 @@
 #pragma once
 
 #include <functional>
-#include <numbers>
 #include <string_view>
 
 #include <glm/vec2.hpp>
 
 #include "host/base/camera.h"
 #include "host/base/height_map.h"
+#include "host/base/numbers/degrees.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/tiles/tiled_field.h"
 #include "host/terrain/walk/eye_place.h"
 
 namespace offing::cli {
-
-inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// What a camera needs to know of the ground that it stands on, whose first post is at x = z = 0.
 struct CameraTerrain {

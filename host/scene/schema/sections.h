@@ -1,14 +1,12 @@
 // The schemas of the sections of a scene: keys, units, ranges and words of all its values.
 #pragma once
 
-#include <numbers>
 #include <vector>
 
+#include "host/base/numbers/degrees.h"
 #include "host/scene/schema/schema.h"
 
 namespace offing::scene {
-
-inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 Schema<WorldSection> world_schema();
 Schema<TimeSection> time_schema();

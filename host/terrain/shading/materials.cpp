@@ -4,18 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/numbers/degrees.h"
+#include "host/base/numbers/normal_deviations.h"
+
 namespace offing::terrain {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-
-/// Below how many deviations this share of a normal distribution is (Winitzki 2008).
-double deviations_below(double share) {
-  constexpr double a = 0.147;
-  const double x = 2.0 * share - 1.0, l = std::log(1.0 - x * x);
-  const double b = 2.0 / (std::numbers::pi * a) + 0.5 * l;
-  return std::copysign(std::sqrt(2.0) * std::sqrt(std::sqrt(b * b - l / a) - b), x);
-}
 
 TerrainMaterial device_material(const Material& material, std::size_t number) {
   const auto narrow = [](double value) { return static_cast<float>(value); };
