@@ -296,6 +296,26 @@ TEST_F(Highlights, SceneHasMeshesThatDeform) {
   EXPECT_NEAR(largest_y(4), 0.8, 1e-6);
 }
 
+// A mesh whose forms would take more bytes than a glTF can count. Fails if it is not refused before the first
+// frame, or if the hint names other frames than those that just fit.
+TEST_F(Highlights, FormsBeyondFourGibibytesAreRefusedAtOnce) {
+  for (int number = 0; number < 2; ++number) {
+    std::ofstream(path(fmt::format("form_{}.obj", number))) << fmt::format(
+        "v 0 0 0\nv 1 0 0\nv 0 {} 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", 1 + number);
+  }
+  std::ofstream(path("growing.toml")) << "version = 1\n[time]\nfps = 10\n[[mesh]]\nname = \"growing\"\n"
+                                         "file = \"form_%d.obj\"\nanimation_repeat = \"on\"\n";
+  const auto errors = [&](const char* frames) {
+    return run_offing({"highlights", path("growing.toml"), "-o", path("shot.glb"), "--with-scene", "--frames",
+                       frames, "--quiet"})
+        .errors;
+  };
+  // 4 vertices and normals are 96 bytes of a form: n (96 + 4 n) = 2^32 for n = 32756.
+  EXPECT_THAT(errors("5:39999"), HasSubstr("fit into 4 GiB, got 6.0 GiB in 39995 frames"));
+  EXPECT_THAT(errors("5:39999"), HasSubstr("--frames 5:32760\n"));
+  EXPECT_FALSE(std::filesystem::exists(path("shot.glb")));
+}
+
 // The shipped figure, whose skin moves, over one wave at 24 frames a second. Fails if its window, star,
 // streak or stripes are missing in a frame or blink, if highlights crowd, or if one changes faster than its
 // limits.

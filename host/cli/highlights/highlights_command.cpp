@@ -153,6 +153,38 @@ std::shared_ptr<const MeshForm> form_of(const world::WorldMesh& view,
   return std::make_shared<MeshForm>(MeshForm{mesh.positions_m, mesh.normals});
 }
 
+/// Throws Error(bad_input) where the forms of a world's meshes, each with its weights, would not fit into a
+/// glTF, whose numbers of bytes end at 2^32. A form for each frame until the animation ends.
+void require_room_for_forms(const world::World& world, const FrameRange& frames, double frames_per_s) {
+  constexpr double most_bytes = 4294967296.0, weight_bytes = 4.0, vector_bytes = 12.0;
+  const double frame_count = frames.last - frames.first + 1.0;
+  double bytes = 0.0, bytes_per_frame = 0.0, weights_per_frame = 0.0;
+  for (const world::WorldMesh& view : world.meshes()) {
+    const Deformation& deformation = view.parameters().deformation;
+    if (!deformation) continue;
+    const TriangleMesh& mesh = view.surface().mesh();
+    const double forms = std::clamp(deformation.end_s * frames_per_s - frames.first + 2.0, 1.0, frame_count);
+    const double form_bytes =
+        vector_bytes * static_cast<double>(mesh.positions_m.size() + mesh.normals.size());
+    bytes += forms * (form_bytes + weight_bytes * frame_count);
+    bytes_per_frame += form_bytes;
+    weights_per_frame += weight_bytes;
+  }
+  if (bytes <= most_bytes) return;
+  // n frames need n (bytes_per_frame + weights_per_frame n).
+  const double half = 0.5 * bytes_per_frame / weights_per_frame;
+  const double fit = std::floor(std::sqrt(half * half + most_bytes / weights_per_frame) - half);
+  constexpr double bytes_per_gib = 1073741824.0;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format(
+          "--with-scene: expected forms of meshes that fit into 4 GiB, got {:.1f} GiB in {:.0f} frames",
+          bytes / bytes_per_gib, frame_count),
+      fit < 1.0
+          ? std::string("simplify the meshes that deform, or leave --with-scene out")
+          : fmt::format("write them in parts: --frames {}:{:.0f}", frames.first, frames.first + fit - 1.0));
+}
+
 /// The lights of a world at rest, without frames yet. A near one is as far away as the first mesh is from it.
 std::vector<animations::AnimatedLight> lights_of(const world::World& world) {
   std::vector<animations::AnimatedLight> lights;
@@ -190,6 +222,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
   // As offing-view shows it: the eye at its place, and bodies where they float.
   world::World world(device, with_what_moves_meshes(scene::prepare_shown_world(scene)));
   world.set_sea_samples(16);  // bodies feel the whole sea still, and nobody looks at it
+  if (around == Around::scene) require_room_for_forms(world, frames, scene.time.frames_per_second);
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.time.frames_per_second,
                                            .first_frame = frames.first,
