@@ -21,10 +21,10 @@ TEST(OptionRows, AreThereForEachNumberOfOffing) {
   CLI::App app;
   cli::add_commands(app, options);
   const OptionReport report = report_options(
-      app, {"FILE",       "PATTERN", "SCENE",           "STORE",  "channels", "colour", "compare",
-            "depth",      "device",  "export-spectrum", "grid",   "layer",    "needed", "output",
-            "plot",       "points",  "preset",          "shares", "swell",    "union",  "body",
-            "directions", "periods", "horizons",        "masks",  "step"});
+      app, {"FILE",       "PATTERN",    "SCENE",           "STORE",    "channels", "colour", "compare",
+            "depth",      "device",     "export-spectrum", "grid",     "layer",    "needed", "output",
+            "plot",       "points",     "preset",          "shares",   "swell",    "union",  "body",
+            "canopy-map", "directions", "periods",         "horizons", "masks",    "step"});
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_THAT(report.numbers, SizeIs(testing::Gt(100u)));
 }

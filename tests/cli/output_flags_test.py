@@ -22,7 +22,7 @@ NO_PATHS = set(
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
 
 # Flags that name what is read or is no file, and one of offing-bench that its help does not tell apart.
-READ = {"--points", "--compare", "--colour", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--swell", "--lake",
+READ = {"--points", "--compare", "--colour", "--canopy-map", "--terrain", "--sources", "--spectrum-file", "--modes-file", "--swell", "--lake",
         "--device"}
 
 MAP = ["map.r32", "--raw-size", "9x9", "--spacing-m", "10"]

@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "did you mean wind_speed_mps?"},
         BadScene{"key_of_another_section", "version = 1\n[ocean]\npatch_m = 300\n",
                  "storm.toml:3:1: ocean.patch_m: expected a known key, got \"patch_m\"",
-                 "patch_m belongs in [[ocean.cascade]]"},
+                 "patch_m belongs in [[ocean.cascade]] or [terrain.canopy]"},
         BadScene{"key_of_other_sections", "version = 1\ndirection_deg = 30\n",
                  "storm.toml:2:1: direction_deg: expected a known key, got \"direction_deg\"",
                  "direction_deg belongs in [wind] or [[ocean.swell]]"},

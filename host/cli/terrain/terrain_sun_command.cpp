@@ -268,7 +268,7 @@ std::vector<scene::Row<SunCommandSettings>> sun_rows() {
 void add_terrain_sun_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainSunArguments>();
   CLI::App* command = terrain.add_subcommand(
-      "sun", "map hours of sun, direct sunlight under a clear sky, and shadows by time, as GeoTIFFs");
+      "sun", "map hours of sun, direct sunlight under a clear sky and shadows, as GeoTIFFs");
   arguments->input.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);

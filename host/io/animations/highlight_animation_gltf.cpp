@@ -398,16 +398,18 @@ class Writer {
   /// weight 1, so that vertices go straight from frame to frame.
   void add_forms(const AnimatedMesh& mesh, std::size_t node) {
     const TriangleMesh& at_rest = *mesh.look->mesh;
-    std::vector<const MeshForm*> forms;
-    std::vector<std::size_t> form_of_frame;  // [frames]; beyond all forms: at rest
+    std::map<const MeshForm*, std::size_t> forms;  // with their numbers
+    std::vector<std::size_t> form_of_frame;        // [frames]; beyond all forms: at rest
     Json targets = Json::array(), names = Json::array();
     for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame) {
       const MeshForm* form = mesh.frames[frame].form.get();
-      const auto known = std::ranges::find(forms, form);
-      form_of_frame.push_back(form == nullptr ? mesh.frames.size()
-                                              : static_cast<std::size_t>(known - forms.begin()));
-      if (form == nullptr || known != forms.end()) continue;
-      forms.push_back(form);
+      if (form == nullptr) {
+        form_of_frame.push_back(mesh.frames.size());
+        continue;
+      }
+      const auto [known, is_new] = forms.try_emplace(form, forms.size());
+      form_of_frame.push_back(known->second);
+      if (!is_new) continue;
       names.push_back(fmt::format("frame {}", animation_.first_frame + static_cast<int>(frame)));
       targets.push_back({{"POSITION", add_differences(form->positions_m, at_rest.positions_m)}});
       if (!at_rest.normals.empty() && !form->normals.empty())

@@ -164,8 +164,10 @@ std::string PanelEdits::text_for(const Parameter& row) const {
   if (row.key == "mesh.highlight.light") return "right";
   if (row.key == "mesh.aboard") return "first";
   if (row.rule == scene::ParameterRule::name || row.group == scene::ParameterGroup::cloud) return "K";
-  return row.group == scene::ParameterGroup::terrain ? OFFING_SOURCES "/docs/gallery/calm.jpg"
-                                                     : OFFING_SOURCES "/scenes/example_sea.data_spec";
+  using scene::ParameterGroup;
+  const bool is_picture = row.group == ParameterGroup::terrain || row.group == ParameterGroup::canopy;
+  return OFFING_SOURCES +
+         std::string(is_picture ? "/docs/gallery/calm.jpg" : "/scenes/example_sea.data_spec");
 }
 
 std::string PanelEdits::particle_file() const {

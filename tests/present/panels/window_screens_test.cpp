@@ -111,6 +111,7 @@ class WindowScreensTest : public WindowTest, public testing::WithParamInterface<
     turn(5);
     open_parts();
     wait_for_clouds();
+    settle();
   }
   static ImGuiWindow* list_of_objects() {
     const unsigned list_id = main_panel()->GetID("objects");
