@@ -82,6 +82,8 @@ constexpr BaseScene bases[] = {
      "terrain.nodata terrain.void_height_m terrain.raw_columns terrain.raw_rows",
      "[terrain]\nfile = \"MAP\"\nraw_columns = 17\nraw_rows = 17\nraw_type = \"u16\"\nspacing_x_m = "
      "30\nspacing_z_m = 30\nnodata = 0\n"},
+    {"terrain.canopy", "[terrain]\nposts = 65\n[terrain.canopy]\nshare = 0.5\n"},
+    {"terrain.material", "[terrain]\nposts = 65\n[[terrain.material]]\n"},
     {"terrain.band", "[terrain]\nfile = \"GRID\"\nspacing_x_m = 30\nspacing_z_m = 30\n"},
     {"lake", "[terrain]\nfile = \"BOWL\"\norigin_x_m = -60\norigin_z_m = -60\n[[lake]]\n"},
     {"terrain.cache_mb", "[terrain]\nfile = \"STORE\"\n"},
