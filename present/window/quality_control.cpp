@@ -6,8 +6,7 @@ namespace offing::present {
 namespace {
 
 constexpr double least_stay_s = 2.0;
-// Frames that are looked at together, whose median counts: one that stood still does not, nor do the few in
-// which new light on clouds is worked out.
+// Frames that are looked at together, whose median counts: one that stood still does not.
 constexpr double window_s = 2.0;
 constexpr std::size_t least_frames = 3;
 // A quality level that was too slow is tried again after so long; each time that it is again, after four

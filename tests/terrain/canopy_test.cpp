@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "host/base/numbers/degrees.h"
+#include "tests/terrain/example_maps.h"
 #include "tests/terrain/terrain_painter.h"
 
 namespace offing {
@@ -20,8 +21,6 @@ namespace {
 using terrain::Canopy;
 using terrain::Texel;
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-
 /// A plain or a slope of 2.56 km without shores, trees' end or snow. The sun is in the east.
 class CanopyTest : public testing::Test {
  protected:
@@ -29,16 +28,7 @@ class CanopyTest : public testing::Test {
   static constexpr double spacing_m = 20.0, side_m = spacing_m * (posts_a_side - 1);
 
   void make(double rise, double sun_elevation_deg) {
-    map_ = {.name = "made",
-            .grid = {.columns = posts_a_side,
-                     .rows = posts_a_side,
-                     .spacing_x_m = spacing_m,
-                     .spacing_z_m = spacing_m},
-            .heights_m = {}};
-    for (int row = 0; row < posts_a_side; ++row) {
-      for (int column = 0; column < posts_a_side; ++column)
-        map_.heights_m.push_back(static_cast<float>(rise * spacing_m * column));
-    }
+    map_ = test::square_map(posts_a_side, spacing_m, [&](double x_m, double) { return rise * x_m; });
     test::PaintedTerrain scene;
     scene.sun_elevation_rad = sun_elevation_deg * radians_per_degree;
     scene.light.sea_level_m = scene.light.beach_line_m = scene.light.still_water_m = -1e6f;

@@ -24,6 +24,14 @@ HeightMap made(const std::string& name, const terrain::PostGrid& grid,
 
 }  // namespace
 
+HeightMap square_map(int posts_a_side, double spacing_m,
+                     const std::function<double(double x_m, double z_m)>& height_m) {
+  const terrain::PostGrid grid{
+      .columns = posts_a_side, .rows = posts_a_side, .spacing_x_m = spacing_m, .spacing_z_m = spacing_m};
+  return made("made", grid,
+              [&](int column, int row) { return height_m(spacing_m * column, spacing_m * row); });
+}
+
 HeightMap valleys(const terrain::PostGrid& grid) {
   return made("valleys", grid, [](int column, int row) {
     return 60.0 * std::sin(0.021 * column) * std::cos(0.017 * row + 0.004 * column) +

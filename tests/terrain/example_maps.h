@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct HeightMap {
 /// Maps of every kind that a walk could stumble over, of sizes that are no powers of two: random, flat,
 /// spiky, ramp, checkerboard, valleys.
 std::vector<HeightMap> example_maps();
+
+/// A square of so many posts a side, spaced alike; heights at metres from the first post.
+HeightMap square_map(int posts_a_side, double spacing_m,
+                     const std::function<double(double x_m, double z_m)>& height_m);
 
 /// Heights from rolling hills, of any size.
 HeightMap valleys(const terrain::PostGrid& grid);

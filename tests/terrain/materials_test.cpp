@@ -13,6 +13,8 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+#include "host/base/numbers/degrees.h"
+#include "tests/terrain/example_maps.h"
 #include "tests/terrain/terrain_painter.h"
 
 namespace offing {
@@ -28,20 +30,10 @@ class MaterialsTest : public testing::Test {
  protected:
   static constexpr int posts_a_side = 129;
   static constexpr double spacing_m = 20.0, side_m = spacing_m * (posts_a_side - 1);
-  static constexpr double radians_per_degree = std::numbers::pi / 180.0;
   static constexpr float sky_klx = 10.0f;
 
   void make(const std::function<double(double x_m, double z_m)>& height_m) {
-    map_ = {.name = "made",
-            .grid = {.columns = posts_a_side,
-                     .rows = posts_a_side,
-                     .spacing_x_m = spacing_m,
-                     .spacing_z_m = spacing_m},
-            .heights_m = {}};
-    for (int row = 0; row < posts_a_side; ++row) {
-      for (int column = 0; column < posts_a_side; ++column)
-        map_.heights_m.push_back(static_cast<float>(height_m(spacing_m * column, spacing_m * row)));
-    }
+    map_ = test::square_map(posts_a_side, spacing_m, height_m);
     test::PaintedTerrain scene;
     scene.light.sun_red_klx = 0.0f;
     scene.light.sky_red_klx = scene.light.sky_green_klx = scene.light.sky_blue_klx = sky_klx;
