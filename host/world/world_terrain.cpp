@@ -170,6 +170,7 @@ terrain::ReliefSettings WorldTerrain::relief_settings() const {
   const bool goes_on = tiles_ && tiles_->map().edge != terrain::MapEdge::ends;
   terrain::ReliefSettings settings = relief_of(parameters_.lines, goes_on ? 0.0 : parameters_.relief);
   settings.discs = level_discs_;
+  settings.materials = parameters_.materials;
   for (const LakeSettings& each : parameters_.lakes) settings.lakes.push_back(each.lake);
   return settings;
 }

@@ -13,7 +13,7 @@
 #define TERRAIN_RELIEF_TOP_LEVEL 8
 #define TERRAIN_RELIEF_NODES 21845
 
-// Slopes of the relief of turf, stones and rock, deviations of each octave: noise with cells of 1/64 m ... 64 m.
+// Slopes of the relief of turf, stones, rock and sand, deviations of each octave: noise with cells of 1/64 m ... 64 m.
 #define TERRAIN_RELIEF_OCTAVES 13
 #define TERRAIN_TURF_SLOPES \
   0.15f, 0.15f, 0.14f, 0.12f, 0.1f, 0.075f, 0.065f, 0.055f, 0.05f, 0.05f, 0.05f, 0.05f, 0.05f
@@ -21,6 +21,8 @@
   0.08f, 0.13f, 0.19f, 0.24f, 0.24f, 0.19f, 0.14f, 0.11f, 0.09f, 0.08f, 0.07f, 0.06f, 0.06f
 #define TERRAIN_ROCK_SLOPES \
   0.06f, 0.08f, 0.11f, 0.15f, 0.19f, 0.22f, 0.24f, 0.24f, 0.22f, 0.18f, 0.14f, 0.11f, 0.09f
+#define TERRAIN_SAND_SLOPES \
+  0.085f, 0.075f, 0.065f, 0.075f, 0.083f, 0.058f, 0.042f, 0.036f, 0.03f, 0.02f, 0.02f, 0.02f, 0.02f
 
 // The ground is as the map has it under what stands there: a disc about a place, beside which relief begins.
 typedef struct {

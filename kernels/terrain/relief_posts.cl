@@ -2,7 +2,7 @@
 // (shared/terrain_relief.h). The octaves are those by which terrain/terrain_cover.clh turns the ground to the light, as
 // far as they are larger than four steps of the first level.
 // In:  heights [rows][columns] m, maxima, or with TILED the pool and pages of shared/terrain_tiles.h; field; view; relief and its discs; lakes with
-//      the flags of their cells (shared/lakes.h).
+//      the flags of their cells (shared/lakes.h); materials of the scene.
 // Inout: relief_m [3][257][257] m, -FLT_MAX beyond a level's posts: that of `level` from those of level + 1, on whose surface its edges lie.
 #include "terrain/lakes/lake_hits.clh"
 #include "terrain/relief.clh"
@@ -32,11 +32,17 @@ INLINE int_lanes is_near_view(TerrainView view, lanes x_m, lanes y_m, lanes z_m,
 
 // What covers the ground, by its parts of the relief's height.
 typedef struct {
-  lanes turf, stones, rock;
+  lanes turf, stones, rock, sand;
 } ReliefParts;
 
-INLINE ReliefParts relief_parts(TerrainRelief relief, lanes height_m, lanes up) {
-  ReliefParts parts = {(lanes)1.0f, (lanes)0.0f, (lanes)0.0f};
+INLINE ReliefParts times(ReliefParts parts, lanes share) {
+  const ReliefParts left = {parts.turf * share, parts.stones * share, parts.rock * share, parts.sand * share};
+  return left;
+}
+
+// The ground's own cover, without its snow.
+INLINE ReliefParts cover_parts(TerrainRelief relief, lanes height_m, lanes up) {
+  ReliefParts parts = {(lanes)1.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f};
   const lanes soils = 0.85f * (1.0f - smoothstep((lanes)0.69f, (lanes)0.79f, up));
   parts.turf -= soils;
   parts.stones = 0.6f * soils;
@@ -44,13 +50,14 @@ INLINE ReliefParts relief_parts(TerrainRelief relief, lanes height_m, lanes up) 
   parts.turf *= 1.0f - stony;
   parts.stones = mix(parts.stones, (lanes)1.0f, stony);
   const lanes rocky = 1.0f - smoothstep((lanes)0.73f, (lanes)0.82f, up);
-  const lanes snow = smoothstep((lanes)-0.5f, (lanes)1.0f, (height_m - relief.snow_line_m) * (1.0f / 200.0f)) *
-                     smoothstep((lanes)0.62f, (lanes)0.74f, up);
-  const lanes open = (1.0f - rocky) * (1.0f - snow);
-  parts.turf *= open;
-  parts.stones *= open;
-  parts.rock = rocky * (1.0f - snow);
+  parts = times(parts, 1.0f - rocky);
+  parts.rock = rocky;
   return parts;
+}
+
+INLINE lanes snow_share(TerrainRelief relief, lanes height_m, lanes up) {
+  return smoothstep((lanes)-0.5f, (lanes)1.0f, (height_m - relief.snow_line_m) * (1.0f / 200.0f)) *
+         smoothstep((lanes)0.62f, (lanes)0.74f, up);
 }
 
 // Octave k at places, of deviation 1, as noise_octave() has it for a point.
@@ -77,6 +84,42 @@ INLINE lanes octave_value(StepPlaces places, int octave) {
   return NOISE_SCALE * between(layers[0], layers[1], share_z);
 }
 
+// The share of an octave of noise that is left so far away.
+INLINE lanes octave_share(float cell_m, lanes distance_m) {
+  return 1.0f - smoothstep((lanes)(FULL_CELLS * cell_m), (lanes)(LAST_CELLS * cell_m), distance_m);
+}
+
+// Materials of the scene over other parts: their patches are those that are seen, as far as posts can have them.
+INLINE ReliefParts under_materials(ReliefParts parts, Materials materials, NoisePlaces places, GroundPlaces place,
+                                   lanes distance_m, float least_m) {
+  const lanes none = (lanes)0.0f;
+  const Reliefs flat = {{none, none, none}, none, none, none};
+  const Footprints point = {none, none, {none, none, none}, {none, none, none}};
+  Textures textures = {none, none, none, (lanes)1.0f, none, (lanes)1.0f, flat, flat, flat, flat};
+  lanes seen;
+  for (int i = 0; i < BROAD_OCTAVES; ++i)
+    textures.broad = fma(level_octave(places.map, point, FIRST_BROAD_LOG2 + 2 * i, &seen), (lanes)0.577f, textures.broad);
+  for (int octave = RELIEF_OCTAVES - 1; octave >= FINE_OCTAVES; --octave) {
+    const float cell_m = FINEST_CELL_M * (float)(1 << octave);
+    const lanes share = octave_share(cell_m, distance_m);
+    if (cell_m < least_m || !any_lane(mask_of(share > 0.0f))) break;
+    textures.patch = fma(share * octave_value(places.noise, octave), (lanes)0.378f, textures.patch);
+    textures.patch_lost -= share * share * (1.0f / PATCH_OCTAVES);
+  }
+  textures.patch_lost = fmax(textures.patch_lost, none);
+  const lanes slope_rad = acos(clamp(place.up, none, (lanes)1.0f));
+  for (int i = 0; i < materials.count; ++i) {
+    const TerrainMaterial material = materials.all[i];
+    const lanes share = material_share(material, place, textures, slope_rad), rough = material.roughness * share;
+    parts = times(parts, 1.0f - share);
+    if (material.like == TERRAIN_LIKE_GRASS) parts.turf += rough;
+    if (material.like == TERRAIN_LIKE_SCREE) parts.stones += rough;
+    if (material.like == TERRAIN_LIKE_ROCK) parts.rock += rough;
+    if (material.like == TERRAIN_LIKE_SAND) parts.sand += rough;
+  }
+  return parts;
+}
+
 // Metres that the relief adds at a place, so far from the eye, of octaves whose cells are `least_m` or more.
 INLINE lanes relief_height(TerrainField field, NoisePlaces places, ReliefParts parts, lanes distance_m, float reach_m,
                            float least_m) {
@@ -85,13 +128,13 @@ INLINE lanes relief_height(TerrainField field, NoisePlaces places, ReliefParts p
   lanes height_m = (lanes)0.0f;
   for (int octave = RELIEF_OCTAVES - 1; octave >= 0; --octave) {
     const float cell_m = FINEST_CELL_M * (float)(1 << octave), shown = clamp(2.0f - cell_m / map_cell_m, 0.0f, 1.0f);
-    const lanes share = within * (1.0f - smoothstep((lanes)(FULL_CELLS * cell_m), (lanes)(LAST_CELLS * cell_m), distance_m));
+    const lanes share = within * octave_share(cell_m, distance_m);
     if (cell_m < least_m || !any_lane(mask_of(share > 0.0f))) break;
     if (shown == 0.0f) continue;
     const lanes noise = octave_value(places.noise, octave);
     // Slopes of lumps are those of |n|, whatever their deviation is.
     const lanes lump = sqrt(fma(noise, noise, (lanes)0.01f)) - MEAN_ABSOLUTE;
-    const lanes value = noise * (parts.turf * turf_slopes[octave]) +
+    const lanes value = noise * (parts.turf * turf_slopes[octave] + parts.sand * sand_slopes[octave]) +
                         lump * (parts.stones * stone_slopes[octave] - parts.rock * rock_slopes[octave]);
     height_m = fma(share, shown * (cell_m / NOISE_SLOPE) * value, height_m);
   }
@@ -101,7 +144,8 @@ INLINE lanes relief_height(TerrainField field, NoisePlaces places, ReliefParts p
 __kernel void relief_posts(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                            TerrainField field, TerrainView view, const TerrainRelief relief,
                            __global const TerrainReliefDisc *restrict discs, __global const LakeWater *restrict lakes,
-                           __global const uchar *restrict lake_cells, int lake_count, int level,
+                           __global const uchar *restrict lake_cells, int lake_count,
+                           __global const TerrainMaterial *restrict materials, int material_count, int level,
                            __global float *restrict relief_m) {
   const Terrain terrain = {heights_m, maxima_m, field};
   const int first = (int)get_global_id(0) * LANES, row = (int)get_global_id(1);
@@ -148,8 +192,14 @@ __kernel void relief_posts(__global const float *restrict heights_m, __global co
     strength *= 1.0f - bank.nearness * (1.0f - above_bank);
     const NoisePlaces places = noise_places(field, cell_x, cell_z, u, v, surface.height_m);
     const float finest_m = cell_m / (float)(1 << relief.finest_log2);
-    added_m = strength * relief_height(field, places, relief_parts(relief, surface.height_m, up), distance_m,
-                                       relief.reach_m, 4.0f * finest_m);
+    ReliefParts parts = cover_parts(relief, surface.height_m, up);
+    if (material_count > 0) {
+      const Materials of_scene = {materials, material_count};
+      const GroundPlaces place = {surface.height_m, up, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f, bank};
+      parts = under_materials(parts, of_scene, places, place, distance_m, 4.0f * finest_m);
+    }
+    parts = times(parts, 1.0f - snow_share(relief, surface.height_m, up));
+    added_m = strength * relief_height(field, places, parts, distance_m, relief.reach_m, 4.0f * finest_m);
   }
   const lanes away_m = sqrt(level_square);
   const lanes open_m = fmax(away_m * (1.0f + BOWL_STEEPNESS_PERM * away_m) - rise_m - BOWL_DEPTH_M, (lanes)0.0f);

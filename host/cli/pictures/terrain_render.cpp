@@ -170,6 +170,7 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
 terrain::ReliefSettings TerrainScenery::relief_settings() const {
   terrain::ReliefSettings settings = world::relief_of(lines, relief);
   for (const world::LakeSettings& each : lakes) settings.lakes.push_back(each.lake);
+  settings.materials = terrain::materials_of(landscape, world::landscape_lines(lines));
   return settings;
 }
 

@@ -46,7 +46,8 @@ ReliefSurface::ReliefSurface(const ocl::Device& device)
       maxima_m_(device, std::size_t{TERRAIN_RELIEF_LEVELS} * TERRAIN_RELIEF_NODES, "relief maxima"),
       discs_(device, most_discs, "relief discs"),
       no_lakes_(device, 1, "no lakes"),
-      no_cells_(device, 1, "no cells of lakes") {}
+      no_cells_(device, 1, "no cells of lakes"),
+      materials_(device, std::vector<Material>(1)) {}
 
 bool ReliefSurface::choose_levels(const TerrainField& field, const TerrainView& eye, double above_m,
                                   const ReliefSettings& settings) {
@@ -90,6 +91,10 @@ bool ReliefSurface::choose_levels(const TerrainField& field, const TerrainView& 
   }
   if (!discs.empty()) discs_.write(discs);
   params_.discs = static_cast<int>(discs.size());
+  if (laid_materials_ != settings.materials) {
+    if (!settings.materials.empty()) materials_ = MaterialLayer(device_, settings.materials);
+    laid_materials_ = settings.materials;
+  }
   return true;
 }
 
@@ -101,7 +106,8 @@ void ReliefSurface::lay(const ocl::Kernel& posts, const ocl::Buffer<float>& heig
   for (int level = params_.levels - 1; level >= 0; --level) {
     posts.launch(shape, heights_m, maxima_m, field, view, params_, discs_,
                  lakes ? lakes->waters() : no_lakes_, lakes ? lakes->cells() : no_cells_,
-                 lakes ? lakes->count() : 0, level, heights_m_);
+                 lakes ? lakes->count() : 0, materials_.materials(), static_cast<int>(laid_materials_.size()),
+                 level, heights_m_);
     std::size_t nodes = TERRAIN_RELIEF_CELLS / 2;
     int begin = level * TERRAIN_RELIEF_NODES;
     base_.launch({{nodes, nodes}}, heights_m_, level_begin(level), TERRAIN_RELIEF_POSTS, TERRAIN_RELIEF_POSTS,

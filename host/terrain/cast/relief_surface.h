@@ -13,6 +13,7 @@
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 #include "host/terrain/lakes/lake_layer.h"
+#include "host/terrain/shading/materials.h"
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_relief.h"
 
@@ -38,6 +39,7 @@ struct ReliefSettings {
   double tree_line_m = 2000.0, snow_line_m = 2800.0;  ///< m; stones lie above the first
   std::vector<LevelDisc> discs = {};
   std::vector<std::shared_ptr<const Lake>> lakes = {};  ///< at whose shores relief ends as at shore_m
+  std::vector<Material> materials = {};                 ///< whose relief is theirs
 
   bool operator==(const ReliefSettings&) const = default;
 };
@@ -91,6 +93,8 @@ class ReliefSurface {
   ocl::Buffer<TerrainReliefDisc> discs_;
   ocl::Buffer<LakeWater> no_lakes_;
   ocl::Buffer<std::uint8_t> no_cells_;
+  std::vector<Material> laid_materials_;
+  MaterialLayer materials_;  // these, or one of no use
   TerrainRelief params_{};
 };
 

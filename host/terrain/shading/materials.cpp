@@ -31,12 +31,6 @@ TerrainMaterial device_material(const Material& material, std::size_t number) {
   return made;
 }
 
-std::vector<TerrainMaterial> device_materials(std::span<const Material> materials) {
-  std::vector<TerrainMaterial> made;
-  for (const Material& material : materials) made.push_back(device_material(material, made.size()));
-  return made;
-}
-
 std::optional<double> degrees(double angle_deg) {
   return angle_deg * radians_per_degree;
 }
@@ -144,6 +138,12 @@ std::vector<Material> materials_of(Landscape landscape, const LandscapeLines& li
                .gentlest_rad = 36.0 * radians_per_degree}};
   }
   return {};
+}
+
+std::vector<TerrainMaterial> device_materials(std::span<const Material> materials) {
+  std::vector<TerrainMaterial> made;
+  for (const Material& material : materials) made.push_back(device_material(material, made.size()));
+  return made;
 }
 
 MaterialLayer::MaterialLayer(const ocl::Device& device, std::span<const Material> materials)

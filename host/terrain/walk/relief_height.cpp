@@ -14,7 +14,7 @@ namespace offing::terrain {
 namespace {
 
 constexpr std::array<float, TERRAIN_RELIEF_OCTAVES> turf_slopes{TERRAIN_TURF_SLOPES},
-    stone_slopes{TERRAIN_STONE_SLOPES}, rock_slopes{TERRAIN_ROCK_SLOPES};
+    stone_slopes{TERRAIN_STONE_SLOPES}, rock_slopes{TERRAIN_ROCK_SLOPES}, sand_slopes{TERRAIN_SAND_SLOPES};
 
 double smooth_step(double from, double to, double value) {
   const double share = std::clamp((value - from) / (to - from), 0.0, 1.0);
@@ -53,21 +53,112 @@ double noise_at(const glm::dvec3& place, std::uint32_t seed) {
 
 /// Of what covers the ground, parts of the relief's height.
 struct ReliefParts {
-  double turf = 1.0, stones = 0.0, rock = 0.0;
+  double turf = 1.0, stones = 0.0, rock = 0.0, sand = 0.0;
+
+  void scale(double share) {
+    for (double* part : {&turf, &stones, &rock, &sand}) *part *= share;
+  }
 };
 
-ReliefParts parts_of(const ReliefSettings& settings, double height_m, double up) {
+/// The ground's own cover, without its snow.
+ReliefParts cover_parts(const ReliefSettings& settings, double height_m, double up) {
   ReliefParts parts;
   const double soils = 0.85 * (1.0 - smooth_step(0.69, 0.79, up));
   const double stony = smooth_step(-0.6, 1.3, (height_m - settings.tree_line_m) / 200.0);
   const double rocky = 1.0 - smooth_step(0.73, 0.82, up);
-  const double snow =
-      smooth_step(-0.5, 1.0, (height_m - settings.snow_line_m) / 200.0) * smooth_step(0.62, 0.74, up);
-  const double open = (1.0 - rocky) * (1.0 - snow);
-  parts.turf = open * (1.0 - soils) * (1.0 - stony);
-  parts.stones = open * (0.6 * soils * (1.0 - stony) + stony);
-  parts.rock = rocky * (1.0 - snow);
+  parts.turf = (1.0 - rocky) * (1.0 - soils) * (1.0 - stony);
+  parts.stones = (1.0 - rocky) * (0.6 * soils * (1.0 - stony) + stony);
+  parts.rock = rocky;
   return parts;
+}
+
+double snow_share(const ReliefSettings& settings, double height_m, double up) {
+  return smooth_step(-0.5, 1.0, (height_m - settings.snow_line_m) / 200.0) * smooth_step(0.62, 0.74, up);
+}
+
+double cell_m_of(unsigned octave) {
+  return std::ldexp(1.0, static_cast<int>(octave) - 6);
+}
+
+/// Of deviation 1, at a place on the axes of the noise, in thirds of steps.
+double octave_at(const glm::dvec3& place, unsigned octave) {
+  return noise_at(place / std::ldexp(4.0, static_cast<int>(octave)), 0x9e3779b9u * octave);
+}
+
+/// The share of an octave that is left so far away.
+double octave_share(unsigned octave, double distance_m) {
+  return 1.0 - smooth_step(16.0 * cell_m_of(octave), 26.0 * cell_m_of(octave), distance_m);
+}
+
+/// Noise of deviation 1 and variance that is not seen, by which materials have patches (terrain_cover.clh);
+/// its finest range is not seen at all.
+struct PatchNoise {
+  double broad = 0.0, patch = 0.0, patch_lost = 1.0;
+};
+
+PatchNoise patch_noise(const glm::dvec3& steps, const glm::dvec3& place, double distance_m, double least_m) {
+  constexpr unsigned first_patch = 6;
+  constexpr double patch_octaves = TERRAIN_RELIEF_OCTAVES - first_patch;
+  // Level noise is noise in space through its lattice's points, but for its deviation.
+  constexpr double level_scale = 0.1906 / 0.1761;
+  PatchNoise noise;
+  for (const unsigned cell_log2 : {13u, 15u, 17u}) {
+    const double cell = std::ldexp(1.0, static_cast<int>(cell_log2));
+    noise.broad +=
+        0.577 * level_scale * noise_at({steps.x / cell, 0.0, steps.z / cell}, 0x9e3779b9u * cell_log2);
+  }
+  for (unsigned octave = first_patch; octave < TERRAIN_RELIEF_OCTAVES; ++octave) {
+    if (cell_m_of(octave) < least_m) continue;
+    const double share = octave_share(octave, distance_m);
+    noise.patch += 0.378 * share * octave_at(place, octave);
+    noise.patch_lost -= share * share / patch_octaves;
+  }
+  noise.patch_lost = std::max(noise.patch_lost, 0.0);
+  return noise;
+}
+
+/// The mean of a smooth step over values of this variance.
+double soft_step(double middle, double half_width, double value, double variance) {
+  const double width = std::sqrt(half_width * half_width + 5.0 * variance);
+  return smooth_step(middle - width, middle + width, value);
+}
+
+/// As material_share() has it (terrain_cover.clh).
+double material_share(const Material& material, const TerrainMaterial& on_device, const PatchNoise& seen,
+                      double height_m, double up) {
+  constexpr double half_rad = 0.07, wander_rad = 0.03;
+  const auto square = [](double value) { return value * value; };
+  const double noise = 0.577 * (seen.broad + seen.patch), lost = (seen.patch_lost + 1.0) / 3.0;
+  const double wander_m = 0.4 * material.edge_m, half_m = 0.5 * material.edge_m;
+  const auto above = [&](double limit_m) {
+    return soft_step(limit_m, half_m, height_m + wander_m * noise, square(wander_m) * lost);
+  };
+  const double slope_rad = std::acos(std::clamp(up, 0.0, 1.0)) + wander_rad * noise;
+  const auto steeper = [&](double limit_rad) {
+    return soft_step(limit_rad, half_rad, slope_rad, square(wander_rad) * lost);
+  };
+  double share = 1.0;
+  if (material.lowest_m) share = above(*material.lowest_m);
+  if (material.highest_m) share *= 1.0 - above(*material.highest_m);
+  if (material.steepest_rad) share *= 1.0 - steeper(*material.steepest_rad);
+  if (material.gentlest_rad > 0.0) share *= steeper(material.gentlest_rad);
+  const auto part = [](float value) { return static_cast<double>(value); };
+  const double patches = part(on_device.of_broad) * seen.broad + part(on_device.of_patch) * seen.patch;
+  const double patches_lost =
+      square(part(on_device.of_patch)) * seen.patch_lost + square(part(on_device.of_fine));
+  return share * soft_step(part(on_device.patches), 0.3, patches, patches_lost);
+}
+
+void lay_materials(const ReliefSettings& settings, const PatchNoise& seen, double height_m, double up,
+                   ReliefParts& parts) {
+  const std::vector<TerrainMaterial> on_device = device_materials(settings.materials);
+  for (std::size_t i = 0; i < on_device.size(); ++i) {
+    const Material& material = settings.materials[i];
+    const double share = material_share(material, on_device[i], seen, height_m, up);
+    parts.scale(1.0 - share);
+    double* const of_like[]{&parts.turf, &parts.stones, &parts.rock, &parts.sand};
+    *of_like[static_cast<std::size_t>(material.like)] += material.roughness * share;
+  }
 }
 
 constexpr float step_m = 0.01171875f;
@@ -105,26 +196,31 @@ double relief_height_m(const TerrainPosts& posts, const ReliefSettings& settings
     const double above = std::clamp((ground->height_m - lake->level_m) / 4.0, 0.0, 1.0);
     strength *= 1.0 - nearness_to_lake(*lake, posts, x_m, z_m) * (1.0 - above);
   }
-  const ReliefParts parts = parts_of(settings, ground->height_m, normal->y);
   const glm::dvec3 steps(lattice_place(cells_x, posts.spacing_x_m),
                          ground->height_m / static_cast<double>(step_m),
                          lattice_place(cells_z, posts.spacing_z_m));
   const glm::dvec3 place(2.0 * (steps.x + steps.z) - steps.y, 2.0 * (steps.x + steps.y) - steps.z,
                          2.0 * (steps.y + steps.z) - steps.x);
   const double least_m = 4.0 * std::ldexp(spacing_m, -levels.finest_log2);
+  ReliefParts parts = cover_parts(settings, ground->height_m, normal->y);
+  if (!settings.materials.empty()) {
+    lay_materials(settings, patch_noise(steps, place, distance_m, least_m), ground->height_m, normal->y,
+                  parts);
+  }
+  parts.scale(1.0 - snow_share(settings, ground->height_m, normal->y));
   double height_m = 0.0;
   for (unsigned octave = 0; octave < TERRAIN_RELIEF_OCTAVES; ++octave) {
-    const double cell_m = std::ldexp(1.0, static_cast<int>(octave) - 6);
-    const double shown = std::clamp(2.0 - cell_m / least_spacing_m, 0.0, 1.0) *
-                         (1.0 - smooth_step(16.0 * cell_m, 26.0 * cell_m, distance_m));
+    const double cell_m = cell_m_of(octave);
+    const double shown =
+        std::clamp(2.0 - cell_m / least_spacing_m, 0.0, 1.0) * octave_share(octave, distance_m);
     if (cell_m < least_m || shown == 0.0) continue;
-    const double noise = noise_at(place / std::ldexp(4.0, static_cast<int>(octave)), 0x9e3779b9u * octave);
+    const double noise = octave_at(place, octave);
     const double lump = std::sqrt(noise * noise + 0.01) - 0.798;
     const auto slope = [octave](const std::array<float, TERRAIN_RELIEF_OCTAVES>& slopes) {
       return static_cast<double>(slopes[octave]);
     };
     height_m += shown * cell_m / 2.615 *
-                (noise * parts.turf * slope(turf_slopes) +
+                (noise * (parts.turf * slope(turf_slopes) + parts.sand * slope(sand_slopes)) +
                  lump * (parts.stones * slope(stone_slopes) - parts.rock * slope(rock_slopes)));
   }
   return strength * height_m;

@@ -1,6 +1,7 @@
 // The ground that is drawn near the eye: its posts against the relief in double precision, and what rays hit
 // of it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -28,6 +29,13 @@ using test::PostSheet;
 // Meadows, scree and, where it is steep, rock; something stands beside the eye of the first test.
 constexpr terrain::LevelDisc disc{.x_m = 520.0, .z_m = 445.0, .radius_m = 12.0};
 const ReliefSettings settings{.shore_m = -20.0, .tree_line_m = 25.0, .snow_line_m = 5000.0, .discs = {disc}};
+
+// Of all kinds, in patches, between heights and between slopes of that map.
+const std::vector<terrain::Material> materials{
+    {.like = terrain::MaterialLike::sand, .roughness = 1.5, .highest_m = 20.0, .edge_m = 15.0},
+    {.like = terrain::MaterialLike::scree, .roughness = 0.7, .share = 0.6},
+    {.like = terrain::MaterialLike::grass, .lowest_m = 10.0, .steepest_rad = 0.5, .share = 0.4},
+    {.like = terrain::MaterialLike::rock, .roughness = 1.3, .gentlest_rad = 0.45}};
 
 test::HeightMap rolling_map() {
   return test::valleys({.columns = 90, .rows = 75, .spacing_x_m = 12.0, .spacing_z_m = 15.0});
@@ -74,6 +82,9 @@ class ReliefSurfaceTest : public testing::Test {
     return hits.read();
   }
 
+  /// Of posts below an eye that sees them, relief on the device and in double precision.
+  void compare_posts(const ReliefSettings& how);
+
   test::HeightMap map_ = rolling_map();
   terrain::TerrainPosts posts_ = posts_of(map_);
   ocl::Device device_ = ocl::Device::open();
@@ -81,16 +92,12 @@ class ReliefSurfaceTest : public testing::Test {
   ReliefSurface relief_{device_};
 };
 
-// Bound: places are exact to 1e-3 steps of the noise, 1e-5 m, on slopes of up to 2, and heights of 100 m to
-// 1e-5 m. Found 1e-5 m, limit 1e-3 m, in relief of up to 3 m. Fails if the kernel's relief is not that of
-// relief_height_m(), on which walkers stand, if any octave is left out, doubled or in another place, or if
-// there is any under what stands there.
-TEST_F(ReliefSurfaceTest, PostsAreThoseOfDoublePrecision) {
+void ReliefSurfaceTest::compare_posts(const ReliefSettings& how) {
   // High enough for the bowl that is left open around the eye, with what is below it in the picture.
   Camera camera = camera_at(500.0, 430.0, 12.0);
   camera.pitch_rad = -0.5 * std::numbers::pi;
   camera.vertical_field_of_view_rad = 3.1;
-  cast(camera);
+  cast(camera, how);
   ASSERT_EQ(relief_.params().levels, 3);
   double worst_m = 0.0, highest_m = 0.0;
   int compared = 0, compared_on_disc = 0;
@@ -107,7 +114,7 @@ TEST_F(ReliefSurfaceTest, PostsAreThoseOfDoublePrecision) {
           ++compared_on_disc;
           EXPECT_NEAR(sheet.post_m(x, z), ground_m(x_m, z_m), 1e-4);
         }
-        const double expected_m = terrain::relief_height_m(posts_, settings, x_m, z_m, camera.eye_m);
+        const double expected_m = terrain::relief_height_m(posts_, how, x_m, z_m, camera.eye_m);
         const double found_m = static_cast<double>(sheet.post_m(x, z)) - ground_m(x_m, z_m);
         worst_m = std::max(worst_m, std::abs(found_m - expected_m));
         highest_m = std::max(highest_m, expected_m);
@@ -119,6 +126,61 @@ TEST_F(ReliefSurfaceTest, PostsAreThoseOfDoublePrecision) {
   EXPECT_GE(highest_m, 0.5);
   EXPECT_GE(compared, 2000);
   EXPECT_GE(compared_on_disc, 20);
+}
+
+// Bound: places are exact to 1e-3 steps of the noise, 1e-5 m, on slopes of up to 2, and heights of 100 m to
+// 1e-5 m. Found 1e-5 m, limit 1e-3 m, in relief of up to 3 m. Fails if the kernel's relief is not that of
+// relief_height_m(), on which walkers stand, if any octave is left out, doubled or in another place, or if
+// there is any under what stands there.
+TEST_F(ReliefSurfaceTest, PostsAreThoseOfDoublePrecision) {
+  compare_posts(settings);
+}
+
+// The same limit. Fails if materials have another share of the drawn ground than of the ground on which
+// walkers stand, or another relief.
+TEST_F(ReliefSurfaceTest, PostsWithMaterialsAreThoseOfDoublePrecision) {
+  ReliefSettings how = settings;
+  how.materials = materials;
+  compare_posts(how);
+}
+
+// A third of relief is two thirds less: limits of 20 % for what float and the bowl at the eye do. Fails if
+// relief is that of the ground's own cover where a material lies on it, or stays when materials have changed.
+// Before: materials changed the light alone.
+TEST_F(ReliefSurfaceTest, FollowsMaterials) {
+  Camera camera = camera_at(500.0, 430.0, 12.0);
+  camera.pitch_rad = -0.5 * std::numbers::pi;
+  camera.vertical_field_of_view_rad = 3.1;
+  const auto deviation_m = [&](const std::vector<terrain::Material>& laid) {
+    ReliefSettings how = settings;
+    how.discs.clear();
+    how.materials = laid;
+    cast(camera, how);
+    double sum = 0.0;
+    int count = 0;
+    const PostSheet sheet = test::sheets_of(map_, relief_).front();
+    for (int z = 3; z < sheet.cells_z; ++z) {
+      for (int x = 3; x < sheet.cells_x; ++x) {
+        const double x_m = sheet.left_m + x * sheet.step_x_m, z_m = sheet.top_m + z * sheet.step_z_m;
+        if (std::hypot(x_m - camera.eye_m.x, z_m - camera.eye_m.z) < 8.0) continue;
+        sum += std::pow(static_cast<double>(sheet.post_m(x, z)) - ground_m(x_m, z_m), 2);
+        ++count;
+      }
+    }
+    return std::sqrt(sum / count);
+  };
+  const double own_m = deviation_m({});
+  const double flat_m = deviation_m({{.like = terrain::MaterialLike::sand, .roughness = 0.0}});
+  const double rock_m = deviation_m({{.like = terrain::MaterialLike::rock}});
+  const double low_rock_m = deviation_m({{.like = terrain::MaterialLike::rock, .roughness = 1.0 / 3.0}});
+  const double sand_m = deviation_m({{.like = terrain::MaterialLike::sand}});
+  std::printf("relief deviates by %.3f m, as sand %.3f m, rock %.3f m, a third of rock %.3f m, none %.2g m\n",
+              own_m, sand_m, rock_m, low_rock_m, flat_m);
+  EXPECT_LE(flat_m, 1e-4);
+  EXPECT_GE(own_m, 0.02);
+  EXPECT_NEAR(low_rock_m / rock_m, 1.0 / 3.0, 0.2 / 3.0);
+  EXPECT_GE(rock_m, 2.0 * sand_m);
+  EXPECT_NEAR(deviation_m({}), own_m, 1e-6);
 }
 
 // More discs than there is room for. Fails if those near the eye are left out for others.
