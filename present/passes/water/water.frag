@@ -130,7 +130,7 @@ float swash_foam(vec3 bed_m, vec2 label_shift_m) {
   bool is_shore = abs(bed_height_m) < 1.5 * waves.swash_reach_m;
   int wave_count = is_shore ? SWASH_WAVES : 0, step_count = is_shore ? steps : 0;
   float step_s = waves.swash_period_s / float(steps);
-  float above_m = swash_level_m(label_m, 0.0, wave_count) - bed_height_m, since = 1.0;
+  float above_m = max(swash_level_m(label_m, 0.0, wave_count) - bed_height_m, 0.0), since = 1.0;
   for (int step = 1; step <= step_count; ++step) {
     float before_m = swash_level_m(label_m, float(step) * step_s, wave_count) - bed_height_m;
     if (since == 1.0 && before_m < 0.0) since = (float(step - 1) + above_m / max(above_m - before_m, 1e-6)) / float(steps);

@@ -127,6 +127,21 @@ TEST_F(ShoreTest, WavesThatBreakHaveFoam) {
   EXPECT_LT(greatest_and_mean(still_sea, -8.0, 0.0).first, 1e-3);
 }
 
+// Fails if any pixel of a washed beach has no light or more than white foam in the sun. Before, foam of the
+// swash grew beyond all numbers just above its edge: black pixels.
+TEST_F(ShoreTest, LightOfTheSwashIsFinite) {
+  // From the sea, where the water's grid is coarse.
+  Camera camera = square_camera({0.0, 4.0, -150.0});
+  camera.yaw_rad = std::numbers::pi;
+  camera.pitch_rad = -4.0 / 150.0;
+  camera.vertical_field_of_view_rad = 0.3;
+  for (int moment = 0; moment < 12; ++moment) {
+    const std::vector<float> seen = light_on(beach(), breeze, camera, side_px, Sea::as_given, 0.7 * moment);
+    const auto is_wrong = [](float light) { return !(light > 0.0f && light < 100.0f); };
+    EXPECT_EQ(std::ranges::count_if(seen, is_wrong), 0) << "at moment " << moment;
+  }
+}
+
 // Against the same ground all wet, as it is without a swash: sand is as dark within the reach of the swash,
 // and twice the reach up it has its whole albedo, 1 / 0.6 times as much. Gates 10 %: a film mirrors some of
 // the sky.
