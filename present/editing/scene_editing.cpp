@@ -247,23 +247,26 @@ void SceneEditing::take_clouds() {
   }
 }
 
-void SceneEditing::go_back(std::optional<scene::Scene> scene, const char* none) {
+void SceneEditing::go_back(std::optional<scene::Scene> scene, const std::string& news) {
   if (!scene) {
-    state_.message = {.text = none};
+    state_.message = {.text = news};
     return;
   }
   take_other_edit(std::move(*scene));
   state_.clouds.particles = {};
   is_last_noted_ = true;
-  edit_sea(Edit::done);
+  if (!edit_sea(Edit::done)) return;
+  state_.message.text = state_.message.text.empty() ? news : news + '\n' + state_.message.text;
 }
 
 void SceneEditing::undo() {
-  go_back(history_.undo(), "there is nothing to undo");
+  const std::string words = undo_words();
+  go_back(history_.undo(), words.empty() ? "there is nothing to undo" : "undone: " + words);
 }
 
 void SceneEditing::redo() {
-  go_back(history_.redo(), "there is nothing to redo");
+  const std::string words = redo_words();
+  go_back(history_.redo(), words.empty() ? "there is nothing to redo" : "redone: " + words);
 }
 
 bool SceneEditing::deselect() {

@@ -44,6 +44,9 @@ class SceneEditing {
   std::uint64_t edits() const { return edits_; }
   bool can_undo() const { return history_.can_undo(); }
   bool can_redo() const { return history_.can_redo(); }
+  /// What they would take back or do again; empty: nothing.
+  std::string undo_words() const { return history_.undo_words(); }
+  std::string redo_words() const { return history_.redo_words(); }
   void undo();
   void redo();
   void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }
@@ -68,7 +71,9 @@ class SceneEditing {
  private:
   void apply(Edit edit);
   bool edit_sea(Edit edit);
-  void go_back(std::optional<scene::Scene> scene, const char* none);
+  void move_to_water();
+  /// To the scene of an edit before or after; `news` says which.
+  void go_back(std::optional<scene::Scene> scene, const std::string& news);
   /// The scene is another one from here on; its camera stays the user's.
   void take_scene(scene::Scene scene);
   /// That of an edit before or after. Nothing stays selected whose list gets longer or shorter: its number

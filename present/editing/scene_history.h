@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "host/scene/model/scene.h"
@@ -21,15 +22,23 @@ class SceneHistory {
   const scene::Scene& now() const { return now_; }
   bool can_undo() const { return !before_.empty(); }
   bool can_redo() const { return !after_.empty(); }
+  /// What undo() would take back, and redo() would do again (edit_words.h); empty: nothing.
+  std::string undo_words() const { return can_undo() ? before_.back().words : ""; }
+  std::string redo_words() const { return can_redo() ? after_.back().words : ""; }
   /// The scene before the last edit that still stands; nothing if there is none.
   std::optional<scene::Scene> undo();
   /// That of the last undo() taken back; nothing if there is none.
   std::optional<scene::Scene> redo();
 
  private:
+  struct Step {
+    scene::Scene scene;
+    std::string words;  // of the edit between it and the next scene, or the one before
+  };
+
   scene::Scene now_;
-  std::deque<scene::Scene> before_;
-  std::vector<scene::Scene> after_;
+  std::deque<Step> before_;
+  std::vector<Step> after_;
 };
 
 }  // namespace offing::present

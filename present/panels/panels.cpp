@@ -295,6 +295,13 @@ void draw_action(const char* label, const char* key, ViewAction action, PanelEdi
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key);
 }
 
+/// One that says what it would do next.
+void draw_step(const char* label, const char* key, ViewAction action, const std::string& words,
+               PanelEdits& edits) {
+  stay_in_line(label);
+  draw_action(label, fmt::format("{}\n{}", key, words).c_str(), action, edits, !words.empty());
+}
+
 void draw_file(const ViewFacts& facts, PanelEdits& edits) {
   draw_action("new", "Ctrl N", ViewAction::new_scene, edits);
   ImGui::SameLine();
@@ -303,10 +310,8 @@ void draw_file(const ViewFacts& facts, PanelEdits& edits) {
   draw_action("save", "Ctrl S", ViewAction::save, edits, facts.can_save);
   stay_in_line("save as ...");
   draw_action("save as ...", "Ctrl Shift S", ViewAction::save_as, edits);
-  stay_in_line("undo");
-  draw_action("undo", "Ctrl Z", ViewAction::undo, edits, facts.can_undo);
-  stay_in_line("redo");
-  draw_action("redo", "Ctrl Y", ViewAction::redo, edits, facts.can_redo);
+  draw_step("undo", "Ctrl Z", ViewAction::undo, facts.undo, edits);
+  draw_step("redo", "Ctrl Y", ViewAction::redo, facts.redo, edits);
 }
 
 void draw_search_field(ViewState& state, PanelEdits& edits) {

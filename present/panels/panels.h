@@ -107,7 +107,7 @@ struct ViewFacts {
   SceneList* scenes = nullptr;  ///< nullptr: no list is drawn
   ListedScene open_scene = {};
   std::optional<RecordingProgress> recording = {};  ///< that runs
-  bool can_undo = false, can_redo = false;
+  std::string undo = {}, redo = {};  ///< what they would do; empty: nothing
   bool can_save = false;  ///< there is something that the scene's file has not
 };
 

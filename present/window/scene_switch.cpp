@@ -235,6 +235,16 @@ void SceneSwitch::save_all() {
   }
 }
 
+std::string SceneSwitch::undo_words() const {
+  if (editing_.can_undo()) return "undo: " + editing_.undo_words();
+  return before_.empty() ? "" : "back to " + shown_name(before_.back().opened.name);
+}
+
+std::string SceneSwitch::redo_words() const {
+  if (editing_.can_redo()) return "redo: " + editing_.redo_words();
+  return after_.empty() ? "" : "forward to " + shown_name(after_.back().opened.name);
+}
+
 bool SceneSwitch::undo() {
   if (editing_.can_undo() || before_.empty()) {
     editing_.undo();

@@ -75,8 +75,9 @@ class SceneSwitch {
   bool undo();
   /// The same the other way: redoes an edit, or goes on to the scene that undo() has left.
   bool redo();
-  bool can_undo() const { return editing_.can_undo() || !before_.empty(); }
-  bool can_redo() const { return editing_.can_redo() || !after_.empty(); }
+  /// What undo() and redo() would do; empty: nothing.
+  std::string undo_words() const;
+  std::string redo_words() const;
   /// Saves the state's scene, which has that file and its name from here on. Both return what was written.
   std::filesystem::path save();
   std::filesystem::path save_as(const std::filesystem::path& file, Existing existing);

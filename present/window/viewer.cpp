@@ -561,8 +561,8 @@ PanelEdits Viewer::draw_panels() {
                                     .scenes = &scene_list_,
                                     .open_scene = listed(options_),
                                     .recording = record_.progress(),
-                                    .can_undo = scenes_.can_undo(),
-                                    .can_redo = scenes_.can_redo(),
+                                    .undo = scenes_.undo_words(),
+                                    .redo = scenes_.redo_words(),
                                     .can_save = !scenes_.has_file() || is_unsaved_ || scenes_.has_moved()});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));

@@ -30,6 +30,25 @@ TEST(SceneHistoryTest, StepsGoBackAndForth) {
   EXPECT_EQ(history.redo()->wind.wind_speed_mps, 4.0);
 }
 
+// Fails if a step is named after another one.
+TEST(SceneHistoryTest, SaysWhatItGoesBackOver) {
+  SceneHistory history(windy(1.0));
+  EXPECT_EQ(history.undo_words(), "");
+  history.note(windy(2.0));
+  scene::Scene dark = windy(2.0);
+  dark.view.sun_direction.elevation_rad = 0.1;
+  history.note(dark);
+  EXPECT_EQ(history.redo_words(), "");
+  EXPECT_EQ(history.undo_words(), "Sun: elevation");
+  history.undo();
+  EXPECT_EQ(history.undo_words(), "Wind: speed");
+  EXPECT_EQ(history.redo_words(), "Sun: elevation");
+  history.undo();
+  EXPECT_EQ(history.redo_words(), "Wind: speed");
+  history.redo();
+  EXPECT_EQ(history.undo_words(), "Wind: speed");
+}
+
 // Fails if what was taken back comes back by redo, or takes the edit before with it.
 TEST(SceneHistoryTest, NothingIsLeftOfWhatIsTakenBack) {
   SceneHistory history(windy(1.0));

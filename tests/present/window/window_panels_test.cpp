@@ -118,8 +118,10 @@ TEST_F(WindowPanelsTest, ButtonsWithoutAnEditAreGrey) {
   ASSERT_NE(edited, before);
   click(find(main_panel(), "undo", 290));
   EXPECT_EQ(edited_text(), before);
+  EXPECT_EQ(message(), "undone: Spectrum: wind speed, wave height");
   click(find(main_panel(), "redo", 340));
   EXPECT_EQ(edited_text(), edited);
+  EXPECT_EQ(message(), "redone: Spectrum: wind speed, wave height");
   click(find(main_panel(), "save", 145));
   EXPECT_NE(message().find("wrote"), std::string::npos) << message();
   EXPECT_EQ(message().find("camera"), std::string::npos) << message();
