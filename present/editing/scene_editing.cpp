@@ -34,6 +34,13 @@ glm::dvec2 place_of(const scene::BodyScene& body) {
   return {body.x_m, body.z_m};
 }
 
+/// Whether water may be elsewhere.
+bool have_other_ground(const scene::Scene& before, const scene::Scene& after) {
+  return !after.bodies.empty() &&
+         (before.terrain.is_given != after.terrain.is_given || before.sea_level_m() != after.sea_level_m() ||
+          scene::differ_in(scene::Affects::heights | scene::Affects::cover, before, after));
+}
+
 /// Bodies that start where the ground is above the still sea.
 std::vector<std::size_t> bodies_on_land(LiveSea& sea, const scene::Scene& scene) {
   std::vector<std::size_t> bodies;
@@ -74,17 +81,17 @@ std::optional<glm::dvec2> nearest_water_m(LiveSea& sea, const scene::Scene& scen
 }
 
 /// Moves a body that new ground has covered to water, unless lines hold it; what there is to say of it.
-std::string move_to_water(LiveSea& sea, scene::Scene& scene, std::size_t body) {
+std::string move_body_to_water(LiveSea& sea, scene::Scene& scene, std::size_t body) {
   const std::string name = label_of(scene, {ObjectKind::body, body});
   const std::optional<std::size_t> hull = hull_of_body(scene, body);
   const bool is_known = scene.bodies[body].moorings.empty() && hull && *hull < sea.meshes().size();
   const std::optional<glm::dvec2> place_m =
       is_known ? nearest_water_m(sea, scene, body, sea.meshes()[*hull].surface().diagonal_m()) : std::nullopt;
-  if (!place_m) return fmt::format("\non land now: {}; move it to water, or move the terrain", name);
+  if (!place_m) return fmt::format("on land now: {}; move it to water, or move the terrain", name);
   const glm::dvec2 way_m = *place_m - place_of(scene.bodies[body]);
   push_value(scene, "body.x_m", {body, 0}, std::round(way_m.x));
   push_value(scene, "body.z_m", {body, 0}, std::round(way_m.y));
-  return fmt::format("\n{} would be on land: moved {:.0f} m, to the nearest water", name, glm::length(way_m));
+  return fmt::format("{} would be on land: moved {:.0f} m, to the nearest water", name, glm::length(way_m));
 }
 
 }  // namespace
@@ -159,21 +166,9 @@ void SceneEditing::make(const std::function<std::string(scene::Scene&)>& change)
   work([&] {
     scene::Scene edited = state_.scene;
     std::string news = change(edited);
-    const bool is_other_ground =
-        !edited.bodies.empty() &&
-        (edited.terrain.is_given != state_.scene.terrain.is_given ||
-         scene::differ_in(scene::Affects::heights | scene::Affects::cover, state_.scene, edited));
-    const std::vector<std::size_t> before = bodies_on_land(sea_, state_.scene);
     state_.scene = std::move(edited);
-    // The ground and what it moves are one edit.
-    finish(is_other_ground ? Edit::going_on : Edit::done);
+    finish(Edit::done);
     if (state_.message.is_fault) return Edit::none;
-    if (is_other_ground) {
-      for (const std::size_t body : bodies_on_land(sea_, state_.scene)) {
-        if (std::ranges::find(before, body) == before.end()) news += move_to_water(sea_, state_.scene, body);
-      }
-      finish(Edit::done);
-    }
     if (!state_.message.text.empty()) news += '\n' + state_.message.text;
     state_.message = {.text = std::move(news)};
     return Edit::none;
@@ -189,11 +184,26 @@ void SceneEditing::finish(Edit edit) {
 
 void SceneEditing::apply(Edit edit) {
   if (edit == Edit::none) return;
+  // Before the world shows what a hand has begun.
+  if (is_last_noted_) ashore_ = bodies_on_land(sea_, history_.now());
   if (!edit_sea(edit)) return;
   is_last_noted_ = edit == Edit::done || edit == Edit::taken_back;
   if (edit != Edit::done) return;
+  if (have_other_ground(history_.now(), state_.scene)) move_to_water();
   history_.note(state_.scene);
   ++edits_;
+}
+
+/// The ground and the bodies that it moves are one edit.
+void SceneEditing::move_to_water() {
+  std::string news;
+  for (const std::size_t body : bodies_on_land(sea_, state_.scene)) {
+    if (std::ranges::find(ashore_, body) != ashore_.end()) continue;
+    if (!news.empty()) news += '\n';
+    news += move_body_to_water(sea_, state_.scene, body);
+  }
+  if (news.empty() || !edit_sea(Edit::done)) return;
+  state_.message.text = state_.message.text.empty() ? news : news + '\n' + state_.message.text;
 }
 
 bool SceneEditing::edit_sea(Edit edit) {

@@ -92,7 +92,8 @@ class SceneEditing {
   CloudEditor clouds_;
   ObjectEditor objects_;
   SceneHistory history_;
-  bool is_last_noted_ = true;  // of what was begun last
+  bool is_last_noted_ = true;             // of what was begun last
+  std::vector<std::size_t> ashore_ = {};  // bodies that were on land before it
   std::uint64_t edits_ = 0;
 };
 

@@ -342,6 +342,38 @@ TEST_F(UndoPicturesTest, BoatsOnLandMoveToWater) {
   EXPECT_EQ(state_.message.text.find("on land"), std::string::npos) << "it was before";
 }
 
+// Fails if a slider that brings ground under a boat leaves it there, moves it before the hand lets go, or
+// takes another step of undo.
+TEST_F(UndoPicturesTest, SlidersMoveBoatsToWater) {
+  const auto drag = [&](double origin_x_m, Edit edit) {
+    state_.scene.terrain.origin_x_m = origin_x_m;
+    editing_->finish(edit);
+    EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+  };
+  const auto x_m = [&] { return state_.scene.bodies[0].x_m; };
+  const TemporaryFolder folder;
+  const std::filesystem::path map = folder.path() / "plain.asc";
+  std::ofstream(map) << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 900\n40 40 40 40\n";
+  editing_->make([&](scene::Scene& scene) {
+    scene.bodies[0].moorings.clear();
+    std::string news = add_dropped(scene, map, DroppedKind::height_map, {});
+    scene.terrain.origin_x_m = 5000.0;
+    scene.terrain.origin_z_m = -450.0;
+    return news;
+  });
+  const double start_m = x_m();
+  for (const double origin_x_m : {2000.0, -450.0}) drag(origin_x_m, Edit::going_on);
+  EXPECT_EQ(x_m(), start_m);
+  drag(-450.0, Edit::done);
+  EXPECT_NE(state_.message.text.find("boat would be on land: moved"), std::string::npos)
+      << state_.message.text;
+  EXPECT_GT(std::max(std::abs(x_m()), std::abs(state_.scene.bodies[0].z_m)), 450.0);
+  EXPECT_EQ(sea_->scene().bodies[0].x_m, x_m()) << "the world has another one";
+  editing_->undo();
+  EXPECT_EQ(x_m(), start_m);
+  EXPECT_EQ(state_.scene.terrain.origin_x_m, 5000.0) << "one step takes both back";
+}
+
 // Fails if terrain has no place that a camera can look at: the middle of its map.
 TEST_F(UndoPicturesTest, TerrainHasAPlace) {
   select_object(state_, {ObjectKind::terrain, 0});
