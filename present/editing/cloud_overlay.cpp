@@ -50,8 +50,10 @@ class Overlay {
     const bool is_lost = std::any_of(state_.clouds.picked.begin(), state_.clouds.picked.end(),
                                      [&](const CloudPart& part) { return !has_part(state_.scene, part); });
     if (is_lost) return;
-    if (const std::optional<Sphere> sphere = held_sphere(state_, shown_))
-      draw_object_handles(painter_, screen_, *sphere, cloud_handles(state_));
+    const std::optional<Sphere> sphere = held_sphere(state_, shown_);
+    if (!sphere) return;
+    draw_object_handles(painter_, screen_, *sphere, cloud_handles(state_));
+    explain_object_handle(painter_, screen_, *sphere, cloud_handles(state_));
   }
 
   void draw_box(const ClipBox& box) const {

@@ -128,6 +128,8 @@ void draw_highlight_handles(const HighlightName& picked, const std::vector<world
       painter.line(knob->place_px, stem->place_px, colour, width_px);
   }
   for (const HandlePlace& place : places) draw_handle(painter, place);
+  if (const std::optional<Handle> handle = handle_at(places, painter.pointer()))
+    explain_handle(handle_help(*handle));
 }
 
 }  // namespace offing::present

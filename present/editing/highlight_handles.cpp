@@ -58,6 +58,22 @@ std::vector<HandlePlace> handle_places(const Screen& screen, const Projector& bo
   return places;
 }
 
+const char* handle_help(Handle handle) {
+  switch (handle) {
+    case Handle::move:
+      return "drag: move over the mesh";
+    case Handle::rotate:
+      return "drag: turn";
+    case Handle::scale:
+      return "drag: resize";
+    case Handle::width:
+      return "drag: change the width";
+    case Handle::height:
+      return "drag: change the height";
+  }
+  return "";
+}
+
 std::optional<Handle> handle_at(const std::vector<HandlePlace>& places, glm::dvec2 pointer_px) {
   return handle_near(places, pointer_px);
 }

@@ -28,6 +28,9 @@ highlights::Projector in_world(const highlights::Projector& box, const highlight
 /// The handles of a box in the world's axes; those behind the eye are left out.
 std::vector<HandlePlace> handle_places(const Screen& screen, const highlights::Projector& box);
 
+/// What a handle does, as help on it.
+const char* handle_help(Handle handle);
+
 /// The corners of the box, anticlockwise.
 std::vector<glm::dvec3> corners_of(const highlights::Projector& box);
 

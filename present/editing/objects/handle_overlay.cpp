@@ -76,6 +76,11 @@ void OverlayPainter::square_knob(glm::dvec2 middle, ImU32 colour) const {
   frame(middle - knob_half_side, middle + knob_half_side, handle_shade);
 }
 
+glm::dvec2 OverlayPainter::pointer() const {
+  const ImVec2 place = ImGui::GetIO().MousePos;
+  return glm::dvec2(place.x, place.y) / scale_;
+}
+
 void OverlayPainter::shaded_line(glm::dvec2 from, glm::dvec2 to, ImU32 colour) const {
   line(from, to, handle_shade, 2.5);
   line(from, to, colour, 1.0);
@@ -101,6 +106,18 @@ void draw_object_handles(const OverlayPainter& painter, const Screen& screen, co
       painter.knob(place.place_px, selected_colour);
     }
   }
+}
+
+void explain_object_handle(const OverlayPainter& painter, const Screen& screen, const Sphere& sphere,
+                           HandleSet handles) {
+  const std::optional<ObjectHandle> handle =
+      object_handle_at(object_handle_places(screen, sphere, handles), painter.pointer());
+  if (handle) explain_handle(handle_help(*handle));
+}
+
+void explain_handle(const std::string& help) {
+  if (ImGui::GetIO().WantCaptureMouse || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+  ImGui::SetTooltip("%s", help.c_str());
 }
 
 }  // namespace offing::present

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <imgui.h>
@@ -27,6 +28,8 @@ class OverlayPainter {
   /// Of a handle: a disc or a square with a dark edge.
   void knob(glm::dvec2 middle, ImU32 colour) const;
   void square_knob(glm::dvec2 middle, ImU32 colour) const;
+  /// Where the mouse is.
+  glm::dvec2 pointer() const;
   /// Over a bright and a dark picture.
   void shaded_line(glm::dvec2 from, glm::dvec2 to, ImU32 colour) const;
 
@@ -41,5 +44,10 @@ class OverlayPainter {
 /// Draws the handles of a sphere.
 void draw_object_handles(const OverlayPainter& painter, const Screen& screen, const Sphere& sphere,
                          HandleSet handles);
+/// Help on the one that the mouse is over.
+void explain_object_handle(const OverlayPainter& painter, const Screen& screen, const Sphere& sphere,
+                           HandleSet handles);
+/// Help on a handle beside the mouse; none while a hand holds something, or over a panel.
+void explain_handle(const std::string& help);
 
 }  // namespace offing::present

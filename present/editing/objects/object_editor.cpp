@@ -414,6 +414,10 @@ void ObjectEditor::draw(const ViewState& state, const LiveSea& sea, const Screen
   if (place->aims) {
     const auto from_px = pixel_of(screen, aim_from_m(screen)), to_px = pixel_of(screen, sphere.centre_m);
     if (from_px && to_px) painter.line(*from_px, *to_px, selected_colour, 2.0);
+    const auto places = object_handle_places(screen, sphere, place->handles);
+    if (object_handle_at(places, painter.pointer())) explain_handle("drag: turn the light");
+  } else {
+    explain_object_handle(painter, screen, sphere, place->handles);
   }
   draw_object_handles(painter, screen, sphere, place->handles);
 }

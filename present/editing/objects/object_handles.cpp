@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace offing::present {
@@ -152,6 +153,19 @@ std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const 
     }
   }
   return places;
+}
+
+std::string handle_help(ObjectHandle handle) {
+  constexpr std::array<const char*, 3> axes{"x (east)", "y (up)", "z (south)"};
+  constexpr std::array<const char*, 3> planes{"y and z", "x and z, level", "x and y"};
+  if (handle == ObjectHandle::free) return "drag: move along the picture\nCtrl: in steps";
+  if (handle == ObjectHandle::radius || handle == ObjectHandle::side) return "drag: resize\nCtrl: in steps";
+  const auto axis = static_cast<std::size_t>(axis_of(handle));
+  if (handle >= ObjectHandle::turn_x)
+    return fmt::format("drag: turn about {}\nCtrl: in steps of 15 degrees", axes.at(axis));
+  if (handle >= ObjectHandle::plane_x)
+    return fmt::format("drag: move along {}\nCtrl: in steps", planes.at(axis));
+  return fmt::format("drag: move along {}\nCtrl: in steps", axes.at(axis));
 }
 
 std::optional<ObjectHandle> object_handle_at(const std::vector<ObjectHandlePlace>& places,

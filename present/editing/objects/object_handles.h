@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "present/editing/handle_geometry.h"
@@ -37,6 +38,9 @@ struct ObjectHandlePlace {
 /// large on every screen. Those behind the eye are left out. A ring has many places, in order around it.
 std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const Sphere& sphere,
                                                     HandleSet handles);
+
+/// What a handle does, as help on it.
+std::string handle_help(ObjectHandle handle);
 
 /// The nearest one within a hand's width.
 std::optional<ObjectHandle> object_handle_at(const std::vector<ObjectHandlePlace>& places,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -46,6 +48,16 @@ TEST(ObjectHandlesTest, EachCanBeTaken) {
   }
   EXPECT_FALSE(object_handle_at(places, {5.0, 5.0}));
   EXPECT_EQ(object_handle_places(screen(), ball, place_handles()).size(), 7u);
+}
+
+// Fails if the help on a handle is that of another one.
+TEST(ObjectHandlesTest, HelpSaysWhatEachDoes) {
+  std::set<std::string> helps;
+  for (const ObjectHandle handle : mesh_handles()) helps.insert(handle_help(handle));
+  EXPECT_EQ(helps.size(), mesh_handles().size());
+  EXPECT_EQ(handle_help(ObjectHandle::y), "drag: move along y (up)\nCtrl: in steps");
+  EXPECT_EQ(handle_help(ObjectHandle::plane_y), "drag: move along x and z, level\nCtrl: in steps");
+  EXPECT_EQ(handle_help(ObjectHandle::turn_z), "drag: turn about z (south)\nCtrl: in steps of 15 degrees");
 }
 
 // The hand goes from where a handle is to where it would be after a way along its axis or in its plane: the

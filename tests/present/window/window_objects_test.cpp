@@ -341,6 +341,14 @@ TEST_F(WindowObjectsTest, HandlesMoveTurnAndResizeMeshes) {
   const glm::dvec3 place_m = state().scene.meshes[1].position_m;
   const double metre_px = 1.0 / present::pixel_m(screen(), place_m);
   const glm::dvec2 arrow_px = handle_px(ObjectHandle::x);
+  const auto has_help = [&](glm::dvec2 place_px) {
+    hands_->move_to(spot(place_px).x, spot(place_px).y);
+    turn(4);
+    const ImGuiWindow* help = ImGui::FindWindowByName("##Tooltip_00");
+    return help != nullptr && help->Active;
+  };
+  EXPECT_TRUE(has_help(arrow_px));
+  EXPECT_FALSE(has_help(arrow_px + glm::dvec2(40.0, 0.0))) << "beside it";
   pull(arrow_px, arrow_px + glm::dvec2(metre_px, 0.0));
   const glm::dvec3 way_m = state().scene.meshes[1].position_m - place_m;
   EXPECT_NEAR(way_m.x, 1.0, 0.1);
