@@ -14,6 +14,7 @@
 #include "host/io/file_presence.h"
 #include "present/panels/imgui_versions.h"
 #include "present/panels/look.h"
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 namespace {
@@ -164,7 +165,7 @@ void FileDialog::draw_places() {
   std::size_t number = 0;
   const auto place = [&](const char* name, const std::filesystem::path& folder) {
     if (list_row("##place", number++, name, folder == browser_.folder())) go_to(folder);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.string().c_str());
+    if (ImGui::IsItemHovered()) explain_item(folder.string());
   };
   if (const char* home = std::getenv("HOME")) place("home", home);
   std::error_code unknown;
@@ -181,7 +182,7 @@ void FileDialog::draw_places() {
       focuses_name_ = true;
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept();
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.string().c_str());
+    if (ImGui::IsItemHovered()) explain_item(file.string());
   }
 }
 

@@ -15,6 +15,7 @@
 #include "host/scene/schema/parameter_table.h"
 #include "present/editing/objects/selection.h"
 #include "present/panels/preset_buttons.h"
+#include "present/panels/panel_layout.h"
 #include "present/window/bookmarks.h"
 
 namespace offing::present {
@@ -117,7 +118,7 @@ void draw_buttons(ViewState& state, PanelEdits& edits) {
   ImGui::SameLine();
   ImGui::BeginDisabled(!selected);
   if (ImGui::Button("look at##objects")) edits.action = ViewAction::look_at_selected;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("X");
+  explain_item("X");
   ImGui::EndDisabled();
 }
 
@@ -177,7 +178,7 @@ void draw_eye(ViewState& state, const std::vector<std::size_t>& meshes, PanelEdi
       visible(mesh) = is_shown ? world::MeshVisibility::off : world::MeshVisibility::on;
     edits.scene = Edit::done;
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_shown ? "hide" : "hidden: click to show");
+  explain_item(is_shown ? "hide" : "hidden: click to show");
   const ImVec2 middle(corner.x + 0.5f * eye_ems * em, corner.y + 0.5f * ImGui::GetTextLineHeight());
   const ImU32 colour = ImGui::GetColorU32(is_shown ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -204,7 +205,7 @@ bool draw_arrow(float width_px, bool has_to_be_open) {
   is_open = is_open || has_to_be_open;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##open", {width_px, height})) is_open = !is_open;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip(is_open ? "close" : "show hull, meshes aboard and wakes");
+  explain_item(is_open ? "close" : "show hull, meshes aboard and wakes");
   ImGui::SameLine(0.0f, 0.0f);
   const ImVec2 middle(corner.x + 0.6f * em, corner.y + 0.5f * height);
   const float side = 0.28f * em;
@@ -326,8 +327,7 @@ void draw_object_values(ViewState& state, const SceneObject& object, PanelEdits&
   if (object.kind != ObjectKind::body) return;
   if (ImGui::Button("stop floating"))
     edits.object = ObjectEdit{.kind = ObjectEdit::Kind::stop_floating, .object = object};
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("removes the body and its wakes; its meshes stay where it starts");
+  explain_item("removes the body and its wakes; its meshes stay where it starts");
 }
 
 /// Below the selected object.

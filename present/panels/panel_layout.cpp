@@ -156,6 +156,33 @@ float PanelLayout::message_width() const {
   return std::min(most, std::max(room, least_em * ImGui::GetFontSize()));
 }
 
+void explain_item(std::string_view help) {
+  if (!ImGui::IsItemHovered()) return;
+  constexpr float least_em = 14.0f, most_em = 36.0f;  // of its text
+  const float em = ImGui::GetFontSize(), gap = PanelLayout::margin();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), screen = screen_px();
+  const float padding = 2.0f * ImGui::GetStyle().WindowPadding.x, beside = 2.0f * gap + padding;
+  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
+  const bool is_low = low.y > 0.5f * screen.y;
+  float room = screen.x - right - beside;
+  if (room >= least_em * em) {
+    ImGui::SetNextWindowPos({right + gap, is_low ? high.y : low.y}, 0, {0.0f, is_low ? 1.0f : 0.0f});
+  } else if (left - beside >= least_em * em) {
+    room = left - beside;
+    ImGui::SetNextWindowPos({left - gap, is_low ? high.y : low.y}, 0, {1.0f, is_low ? 1.0f : 0.0f});
+  } else {
+    room = screen.x - beside;
+    const float begin =
+        std::max(gap, std::min(low.x, screen.x - gap - std::min(room, most_em * em) - padding));
+    ImGui::SetNextWindowPos({begin, is_low ? low.y - gap : high.y + gap}, 0, {0.0f, is_low ? 1.0f : 0.0f});
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(std::min(room, most_em * em));
+  ImGui::TextUnformatted(help.data(), help.data() + help.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 void stay_in_line(const char* label) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

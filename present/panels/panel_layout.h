@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "present/window/free_camera.h"
 
@@ -59,6 +59,10 @@ class PanelLayout {
   float low_px_ = 0.0f, low_left_px_ = 0.0f, timeline_px_ = 0.0f, right_begin_px_ = 0.0f;
   float next_low_px_ = 0.0f, next_low_left_px_ = 0.0f, next_timeline_px_ = 0.0f, next_right_begin_px_ = 0.0f;
 };
+
+/// Help on the last item while the mouse is over it: beside its panel, where it covers none of the panel's
+/// names, or where that has no room below or above the item.
+void explain_item(std::string_view help);
 
 /// A button that is to be drawn next stays in the line of the last one, unless it leaves the panel there.
 void stay_in_line(const char* label);

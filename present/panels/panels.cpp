@@ -56,8 +56,8 @@ void draw_section(std::string_view section, std::size_t number = 0) {
   if (number > 0) words += fmt::format(" {}", number);
   ImGui::TextDisabled("%s", words.c_str());
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip(number > 0 ? "in scene files: [[%s]]" : "in scene files: [%s]",
-                    std::string(section).c_str());
+  explain_item(number > 0 ? fmt::format("in scene files: [[{}]]", section)
+                          : fmt::format("in scene files: [{}]", section));
 }
 
 void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows, ViewState& state,
@@ -292,7 +292,7 @@ void draw_action(const char* label, const char* key, ViewAction action, PanelEdi
   ImGui::BeginDisabled(!is_possible);
   if (ImGui::Button(label)) edits.action = action;
   ImGui::EndDisabled();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key);
+  explain_item(key);
 }
 
 /// One that says what it would do next.
@@ -327,7 +327,7 @@ void draw_search_field(ViewState& state, PanelEdits& edits) {
   ImGui::SameLine();
   if (has_words) {
     if (ImGui::Button("x##search")) state.search.clear();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("all values again");
+    explain_item("all values again");
     ImGui::SameLine();
   }
   draw_action(keys, "H", ViewAction::toggle_help, edits);
@@ -377,8 +377,7 @@ void draw_values_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edi
   ImGui::PopTextWrapPos();
   ImGui::PopItemWidth();
   edits.wants_original = ImGui::Button("undo all edits");
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("back to the scene as it was opened, and to its camera; Ctrl Z takes that back");
+  explain_item("back to the scene as it was opened, and to its camera; Ctrl Z takes that back");
   ImGui::SameLine();
   ImGui::TextDisabled("Tab: hide panels");
   ImGui::End();

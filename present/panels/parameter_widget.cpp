@@ -15,6 +15,7 @@
 
 #include "host/base/error.h"
 #include "host/scene/schema/unused_parameters.h"
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 namespace {
@@ -200,7 +201,7 @@ class Widget {
     const bool was_set = at.has_value();
     bool is_set = was_set;
     ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("without: %s", std::string(row_.absent).c_str());
+    if (ImGui::IsItemHovered()) explain_item(fmt::format("without: {}", row_.absent));
     ImGui::SameLine();
     if (is_set && !was_set) {
       return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
@@ -270,7 +271,7 @@ class Widget {
   void browse_button() {
     if (ImGui::Button(fmt::format("...##browse {}", row_.key).c_str()))
       edit_.browsed = scene::ValueKey(row_.key, element_);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("choose a file");
+    explain_item("choose a file");
     make_room_beside_button();
   }
 
@@ -461,7 +462,7 @@ Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, 
     if (scene.tracks.contains({row.key, element})) text += "\nhas keyframes, which an edit removes";
     if (is_text(row)) text += "\npress Enter to apply the text";
     if (row.slider) text += "\nclick to type a value, also beyond the slider: " + scene::expected_text(row);
-    ImGui::SetTooltip("%s", text.c_str());
+    explain_item(text);
   }
   return state;
 }

@@ -26,7 +26,7 @@ Edit draw_presets(scene::Scene& scene, scene::ParameterGroup group, scene::Eleme
       scene::apply(preset, scene, element);
       edit = Edit::done;
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.label).c_str());
+    explain_item(preset.label);
   }
   return edit;
 }

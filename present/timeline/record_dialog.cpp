@@ -18,6 +18,7 @@
 #include "present/output/video_pipe.h"
 #include "present/panels/imgui_versions.h"
 #include "present/panels/look.h"
+#include "present/panels/panel_layout.h"
 
 namespace offing::present {
 namespace {
@@ -29,10 +30,6 @@ bool is_video(RecordFormat format) {
 const char* name_ending_of(RecordFormat format) {
   constexpr std::array<const char*, 4> endings{".mp4", ".webm", "_%04d.png", "_%04d.exr"};
   return endings[static_cast<std::size_t>(format)];
-}
-
-void explain_item(const char* text) {
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
 
 }  // namespace
@@ -119,7 +116,7 @@ void RecordDialog::draw_size(ImageSize window) {
   for (const Usual& usual : all) {
     if (&usual != &all.front()) ImGui::SameLine();
     if (ImGui::SmallButton(usual.label)) request_.size = usual.size;
-    explain_item(fmt::format("{} x {}", usual.size.width, usual.size.height).c_str());
+    explain_item(fmt::format("{} x {}", usual.size.width, usual.size.height));
   }
 }
 

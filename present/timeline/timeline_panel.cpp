@@ -23,46 +23,41 @@ float strip_height() {
   return 2.4f * ImGui::GetFontSize();
 }
 
-void draw_tooltip(const char* text) {
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
-
 /// Buttons that play, step and jump, the time and its speed, in one line.
 void draw_controls(const scene::TimeSection& time, SceneClock& clock, Timeline& timeline) {
   const float em = ImGui::GetFontSize();
   const double frame_s = 1.0 / time.frames_per_second;
   if (ImGui::Button(clock.is_paused() ? "play##clock" : "pause##clock", ImVec2(3.6f * em, 0.0f)))
     clock.toggle_pause();
-  draw_tooltip("Space");
+  explain_item("Space");
   ImGui::SameLine();
   if (ImGui::Button("|<##first frame")) clock.set_time(time.start_s);
-  draw_tooltip("first frame of the scene (Home)");
+  explain_item("first frame of the scene (Home)");
   ImGui::SameLine(0.0f, 1.0f);
   if (ImGui::ArrowButton("step back", ImGuiDir_Left)) clock.step(-frame_s);
-  draw_tooltip("one frame back (Left)");
+  explain_item("one frame back (Left)");
   ImGui::SameLine(0.0f, 1.0f);
   if (ImGui::ArrowButton("step forward", ImGuiDir_Right)) clock.step(frame_s);
-  draw_tooltip("one frame forward (Right)");
+  explain_item("one frame forward (Right)");
   ImGui::SameLine(0.0f, 1.0f);
   if (ImGui::Button(">|##last frame")) clock.set_time(last_frame_s(time));
-  draw_tooltip("last frame of the scene (End)");
+  explain_item("last frame of the scene (End)");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(6.0f * em);
   double time_s = clock.time_s();
   if (ImGui::InputDouble("##time", &time_s, 0.0, 0.0, "%.3f s", ImGuiInputTextFlags_EnterReturnsTrue))
     clock.set_time(std::clamp(time_s, -largest_time_s, largest_time_s));
-  draw_tooltip(fmt::format("frame {:.0f}, {:g} a second; click to type a time in s",
-                           std::floor(clock.time_s() / frame_s + 1e-6), time.frames_per_second)
-                   .c_str());
+  explain_item(fmt::format("frame {:.0f}, {:g} a second; click to type a time in s",
+                           std::floor(clock.time_s() / frame_s + 1e-6), time.frames_per_second));
   ImGui::SameLine();
   ImGui::Checkbox("loop", &timeline.loops);
-  draw_tooltip("repeat the scene's time span (L)");
+  explain_item("repeat the scene's time span (L)");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(5.0f * em);
   auto scale = static_cast<float>(clock.scale());
   if (ImGui::SliderFloat("##time scale", &scale, 1.0f / 64.0f, 64.0f, "%.3g x", ImGuiSliderFlags_Logarithmic))
     clock.set_scale(static_cast<double>(scale));
-  draw_tooltip("speed of time ([ and ])");
+  explain_item("speed of time ([ and ])");
 }
 
 bool draw_record_button(bool is_recording) {
@@ -71,7 +66,7 @@ bool draw_record_button(bool is_recording) {
   ImGui::BeginDisabled(is_recording);
   const bool is_wanted = ImGui::Button(label);
   ImGui::EndDisabled();
-  draw_tooltip("record pictures or a video of the scene (Ctrl R)");
+  explain_item("record pictures or a video of the scene (Ctrl R)");
   return is_wanted;
 }
 

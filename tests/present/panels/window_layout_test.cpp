@@ -134,6 +134,30 @@ TEST_F(WindowLayoutTest, MessagesLieOverThePicture) {
   EXPECT_EQ(message(), "");
 }
 
+// Fails if a tooltip covers a part of its panel where there is room beside it, its own item where there is
+// none, or leaves the window.
+TEST_F(WindowLayoutTest, TooltipsCoverNothing) {
+  open(full_options());
+  toggle_header("Wind");
+  const scene::Parameter& speed = *scene::find_parameter("wind.speed_mps");
+  for (const int width : {480, 900, 1280}) {
+    SCOPED_TRACE(width);
+    resize(width, 700);
+    find(values(), present::parameter_label(speed), 70);
+    turn(4);
+    const ImGuiWindow* help = ImGui::FindWindowByName("##Tooltip_00");
+    ASSERT_TRUE(help != nullptr && help->Active && !help->Hidden);
+    EXPECT_GE(help->Pos.x, 0.0f);
+    EXPECT_GE(help->Pos.y, 0.0f);
+    EXPECT_LE(help->Pos.x + help->Size.x, static_cast<float>(width));
+    EXPECT_LE(help->Pos.y + help->Size.y, 700.0f);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    EXPECT_FALSE(help->Rect().Contains(mouse));
+    const bool has_room_beside = width > 600;
+    EXPECT_FALSE(has_room_beside && help->Rect().Overlaps(values()->Rect()));
+  }
+}
+
 // Fails if values that scroll take the list, the search or the buttons along, or have hardly any room in a
 // low window.
 TEST_F(WindowLayoutTest, ValuesScrollAlone) {
