@@ -71,8 +71,7 @@ void require_new(const std::string& output, Existing existing, const GivenInputs
   require_writable(file);
 }
 
-void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
-                        const GivenInputs& inputs, int step) {
+std::vector<fs::path> existing_frames(const FrameName& names, FrameRange frames, int step) {
   std::vector<fs::path> outputs;
   std::error_code failure;
   const fs::path folder = folder_of(names.of(frames.first));
@@ -86,8 +85,13 @@ void require_new_frames(const FrameName& names, FrameRange frames, Existing exis
       outputs.push_back(entry->path());
     }
   }
-  check(outputs, existing, inputs);
-  remove_stale_partials(folder, names.prefix());
+  return outputs;
+}
+
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
+                        const GivenInputs& inputs, int step) {
+  check(existing_frames(names, frames, step), existing, inputs);
+  remove_stale_partials(folder_of(names.of(frames.first)), names.prefix());
   require_writable(names.of(frames.first));
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -33,8 +34,11 @@ void require_file_name(const std::string& output);
 /// file that cannot be written.
 void require_new(const std::string& output, Existing existing, const GivenInputs& inputs = {});
 
-/// The same for a file a frame, or for every `step`-th alone. The folder is listed, so that the number of
-/// frames does not matter.
+/// What there is of the frames of a sequence, or of every `step`-th. Their folder is listed once, so that the
+/// number of frames does not matter.
+std::vector<std::filesystem::path> existing_frames(const FrameName& names, FrameRange frames, int step = 1);
+
+/// require_new() for a file a frame, or for every `step`-th alone.
 void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
                         const GivenInputs& inputs, int step = 1);
 

@@ -1,11 +1,14 @@
 #include "present/timeline/record_actions.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/command_line/new_output.h"
 #include "host/io/file_presence.h"
 #include "host/scene/file/scene_files.h"
 #include "present/output/camera_path.h"
@@ -34,15 +37,36 @@ void RecordActions::open() {
 
 /// Files that the user has not asked to be replaced.
 void RecordActions::refuse_taken(const Recording& recording) const {
-  const auto refuse = [&](const std::filesystem::path& file) {
-    if (!is_taken(file)) return;
+  const auto refuse = [](const std::filesystem::path& file) {
     throw Error(ErrorKind::bad_usage, fmt::format("{} exists already", one_line(file.filename().string())),
                 "choose another name, or tick \"replace existing files\"");
   };
   if (recording.existing == Existing::replace) return;
-  if (!recording.name) return refuse(recording.video);
-  for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame)
-    refuse(recording.name->of(frame));
+  if (!recording.name) {
+    if (is_taken(recording.video)) refuse(recording.video);
+    return;
+  }
+  const std::vector<std::filesystem::path> taken = existing_frames(*recording.name, recording.frames);
+  if (!taken.empty()) refuse(taken.front());
+}
+
+void RecordActions::make_folder(const Recording& recording) {
+  if (!recording.name || !dialog_.request().has_folder) return;
+  const std::filesystem::path folder = recording.name->of(recording.frames.first).parent_path();
+  std::error_code failure;
+  if (std::filesystem::create_directory(folder, failure)) made_folder_ = folder;
+  if (failure) {
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot be made: {}", one_line(folder.string()), failure.message()),
+                "choose another name or folder");
+  }
+}
+
+/// Nothing was written into it.
+void RecordActions::remove_empty_folder() {
+  std::error_code has_files;
+  if (!made_folder_.empty()) std::filesystem::remove(made_folder_, has_files);
+  made_folder_.clear();
 }
 
 void RecordActions::begin() {
@@ -61,12 +85,14 @@ void RecordActions::begin() {
     // place it.
     options.scene.set_at = {{"camera.x_m", "the window"}};
     refuse_taken(recording);
+    make_folder(recording);
     require_recording(recording, {scene::files_of(options.scene), options.scene.trust});
     job_ = std::make_unique<RecordingJob>(std::move(options));
     last_ = request;
     dialog_.close();
     state_.message = {};
   } catch (const Error& error) {
+    remove_empty_folder();
     dialog_.refuse(fault_message(error).text);
   }
 }
@@ -98,12 +124,12 @@ void RecordActions::turn() {
       state_.message = {.text = "cancelled: wrote no video"};
     }
   }
+  remove_empty_folder();
 }
 
 void RecordActions::for_shown_names(const std::function<void(std::string_view)>& tell) const {
   if (!dialog_.is_open()) return;
-  tell(dialog_.request().name);
-  tell(dialog_.fault());
+  dialog_.for_shown_names(tell);
 }
 
 void RecordActions::draw(ImageSize window) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,12 +37,15 @@ class RecordActions {
  private:
   void begin();
   void refuse_taken(const Recording& recording) const;
+  void make_folder(const Recording& recording);
+  void remove_empty_folder();
 
   const ViewOptions& options_;
   ViewState& state_;
   RecordDialog dialog_;
   std::optional<RecordingRequest> last_;  // what was recorded last
   std::unique_ptr<RecordingJob> job_;
+  std::filesystem::path made_folder_;  // for its pictures; empty: none
 };
 
 }  // namespace offing::present

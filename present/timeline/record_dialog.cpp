@@ -50,8 +50,9 @@ Recording recording_of(const RecordingRequest& request) {
                 fmt::format("expected frames 0 to {:.0f}, found {:.0f} to {:.0f}", last_frame, first, last),
                 "record more than 0 s, and start at 0 s or later");
   }
-  const std::string name =
-      std::filesystem::absolute(FileBrowser().at(request.name)).string() + name_ending_of(request.format);
+  std::filesystem::path file = std::filesystem::absolute(FileBrowser().at(request.name));
+  if (!is_video(request.format) && request.has_folder) file /= file.filename();
+  const std::string name = file.string() + name_ending_of(request.format);
   Recording recording{.frames = {static_cast<int>(first), static_cast<int>(last)},
                       .frames_per_second = request.frames_per_second,
                       .existing = request.replaces ? Existing::replace : Existing::keep};
@@ -79,7 +80,14 @@ std::string unused_record_name(const std::string& stem) {
 void RecordDialog::open(const RecordingRequest& request) {
   request_ = request;
   fault_.clear();
+  folders_.close();
   is_open_ = focuses_seconds_ = true;
+}
+
+void RecordDialog::for_shown_names(const std::function<void(std::string_view)>& tell) const {
+  tell(request_.name);
+  tell(fault_);
+  folders_.for_shown_names(tell);
 }
 
 void RecordDialog::draw_format() {
@@ -134,6 +142,10 @@ void RecordDialog::draw_range(double now_s) {
 
 void RecordDialog::draw_name() {
   ImGui::InputText("name", &request_.name);
+  if (!is_video(request_.format)) {
+    ImGui::Checkbox("in a folder of this name", &request_.has_folder);
+    explain_item("pictures go into a new folder, not beside other files");
+  }
   try {
     const Recording recording = recording_of(request_);
     const std::string first =
@@ -144,6 +156,18 @@ void RecordDialog::draw_name() {
   } catch (const Error& error) {
     ImGui::TextDisabled("%s", error.what());
   }
+  const std::filesystem::path chosen = FileBrowser().at(request_.name);
+  if (ImGui::Button("folder ...")) {
+    folders_.open({.purpose = FilePurpose::folder_value,
+                   .filter = FileFilter::pictures,
+                   .folder = chosen.parent_path(),
+                   .name = {},
+                   .recent = {}});
+  }
+  explain_item("choose where to write");
+  if (const std::optional<ChosenFile> folder = folders_.draw())
+    request_.name = (folder->file / chosen.filename()).string();
+  ImGui::SameLine();
   ImGui::Checkbox("replace existing files", &request_.replaces);
 }
 
@@ -158,7 +182,7 @@ bool RecordDialog::draw(ImageSize window, double now_s) {
   constexpr ImGuiWindowFlags fixed =
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(title, nullptr, fixed)) return false;
-  has_list_ = false;
+  has_list_ = folders_.is_open();
   ImGui::PushItemWidth(width - 10.0f * em);
   ImGui::PushTextWrapPos(width - em);
   draw_range(now_s);

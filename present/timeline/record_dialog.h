@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/scene/model/scene.h"
+#include "present/files/file_dialog.h"
 #include "present/output/recording_job.h"
 
 namespace offing::present {
@@ -22,7 +25,8 @@ struct RecordingRequest {
   Detail detail = Detail::high;
   std::string name = {};  ///< without its ending, and for pictures without the number
   bool replaces = false;
-  bool has_path = false;  ///< the camera, which follows it
+  bool has_folder = true;  ///< pictures: in a folder of this name
+  bool has_path = false;   ///< the camera, which follows it
 };
 
 /// The recording that is asked for. Throws Error(bad_usage) for a name or a range that cannot be.
@@ -41,8 +45,8 @@ class RecordDialog {
   void close() { is_open_ = false; }
   /// Stays open and says why this cannot be recorded.
   void refuse(const std::string& fault) { fault_ = fault; }
-  /// Why not; empty without a reason.
-  const std::string& fault() const { return fault_; }
+  /// All names that it shows, in letters of any language.
+  void for_shown_names(const std::function<void(std::string_view)>& tell) const;
   /// As it was edited last.
   const RecordingRequest& request() const { return request_; }
   /// Between PanelLayer::begin() and end(). Whether it is to be recorded.
@@ -58,6 +62,7 @@ class RecordDialog {
   bool is_open_ = false, focuses_seconds_ = false, has_list_ = false;
   RecordingRequest request_;
   std::string fault_;
+  FileDialog folders_;  // to choose one
   int longest_px_ = 0;  // side that the device draws
 };
 

@@ -64,10 +64,10 @@ class WindowRecordTest : public WindowTest {
     }
     turn(2);
   }
-  /// Files in the current folder, but for what windows remember.
-  static std::vector<std::string> files() {
+  /// Files in the current folder, or in one there, but for what windows remember.
+  static std::vector<std::string> files(const char* folder = ".") {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator("."))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.is_regular_file()) names.push_back(entry.path().filename().string());
     return names;
   }
@@ -140,8 +140,9 @@ TEST_F(WindowRecordTest, FromTheTimeThatIsShown) {
   click(find(dialog(), "record", 20));
   wait_for_end();
   const auto name = [](int frame) { return fmt::format("offing_001_{:04}.png", frame); };
-  EXPECT_THAT(files(), testing::Contains(name(first))) << message();
-  EXPECT_THAT(files(), testing::Not(testing::Contains(name(first - 1))));
+  EXPECT_THAT(files(), testing::IsEmpty());
+  EXPECT_THAT(files("offing_001"), testing::Contains(name(first))) << message();
+  EXPECT_THAT(files("offing_001"), testing::Not(testing::Contains(name(first - 1))));
 }
 
 // Fails if a format, a size or a range that the mouse chooses is not the one of the files, or files of an
@@ -157,14 +158,57 @@ TEST_F(WindowRecordTest, PicturesOfAnyRange) {
   choose_format("scene-linear pictures (.exr)");
   click(find(dialog(), "record", 20));
   wait_for_end();
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("offing_001_0006.exr", "offing_001_0007.exr",
-                                                     "offing_001_0008.exr", "offing_001_0009.exr"));
+  EXPECT_THAT(files("offing_001"),
+              testing::UnorderedElementsAre("offing_001_0006.exr", "offing_001_0007.exr",
+                                            "offing_001_0008.exr", "offing_001_0009.exr"));
   press_with_control("r");
   turn(2);
   press("Return");
   wait_for_end();
-  EXPECT_THAT(files(), testing::Contains("offing_002_0000.exr")) << message();
-  EXPECT_EQ(files().size(), 8u);
+  EXPECT_THAT(files("offing_002"), testing::Contains("offing_002_0000.exr")) << message();
+  EXPECT_EQ(files("offing_002").size(), 4u);
+  EXPECT_THAT(files(), testing::IsEmpty());
+}
+
+// Fails if pictures cannot be written beside other files or elsewhere, the folder of a recording that was
+// cancelled at once stays, or pictures that are there are replaced.
+TEST_F(WindowRecordTest, TheUserChoosesTheFolder) {
+  std::filesystem::create_directory("films");
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  type("1");
+  choose_format("pictures (.png)");
+  click(find(dialog(), "folder ...", 30));
+  turn(4);
+  type("films");
+  press("Return");
+  turn(4);
+  press("Return");
+  turn(4);
+  ASSERT_NE(dialog(), nullptr) << "only the list of folders closes";
+  click(find(dialog(), "in a folder of this name", 20));
+  click(find(dialog(), "record", 20));
+  wait_for_end();
+  EXPECT_THAT(files("films"), testing::UnorderedElementsAre("offing_001_0000.png", "offing_001_0001.png"))
+      << message();
+  press_with_control("r");
+  turn(2);
+  click(find(dialog(), "name", 60));
+  press_with_control("a");
+  type("films/offing_001");
+  press("Return");
+  turn(2);
+  EXPECT_FALSE(viewer_->is_recording() && dialog() == nullptr) << "the files are there";
+  EXPECT_EQ(files("films").size(), 2u);
+  click(find(dialog(), "name", 60));
+  press_with_control("a");
+  type("nowhere/offing_001");
+  press("Return");
+  turn(2);
+  EXPECT_NE(dialog(), nullptr);
+  press("Escape");
+  turn(2);
 }
 
 // Fails if a recording of ground is seen from elsewhere than the window's picture: without a camera in its
@@ -184,7 +228,7 @@ TEST_F(WindowRecordTest, IsSeenFromWhereTheUserIs) {
   choose_format("pictures (.png)");
   click(find(dialog(), "record", 20));
   wait_for_end();
-  const RgbImage recorded = read_png("offing_001_0000.png");
+  const RgbImage recorded = read_png("offing_001/offing_001_0000.png");
   present::ViewOptions placed = two_frames_a_second();
   placed.scene = state().scene;
   placed.scene.set_at = {{"camera.x_m", "the test"}};
