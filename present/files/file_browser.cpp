@@ -1,11 +1,15 @@
 #include "present/files/file_browser.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <initializer_list>
 #include <string_view>
 #include <system_error>
 #include <tuple>
+
+#include <fmt/format.h>
 
 #include "host/io/file_extension.h"
 #include "host/io/tile_store/tile_store.h"
@@ -20,6 +24,25 @@ bool ends_in(const std::filesystem::path& file, std::initializer_list<std::strin
 }
 
 }  // namespace
+
+std::string shown_size(std::uintmax_t bytes) {
+  constexpr std::array<const char*, 5> units{"B", "kB", "MB", "GB", "TB"};
+  auto size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; size >= 999.5 && unit + 1 < units.size(); ++unit) size /= 1000.0;
+  const int digits = unit > 0 && size < 9.95 ? 1 : 0;
+  return fmt::format("{:.{}f} {}", size, digits, units[unit]);
+}
+
+std::string shown_time(std::filesystem::file_time_type time) {
+  const auto since = std::chrono::file_clock::to_sys(time);
+  const std::time_t seconds =
+      std::chrono::system_clock::to_time_t(std::chrono::floor<std::chrono::seconds>(since));
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday,
+                     local.tm_hour, local.tm_min);
+}
 
 bool is_folder_to_enter(const std::filesystem::path& path) {
   std::error_code unknown;
@@ -77,15 +100,25 @@ bool FileBrowser::go_to(const std::filesystem::path& folder) {
     const std::string name = entry->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = is_folder_to_enter(entry->path());
-    if (is_folder || passes(filter_, entry->path())) entries.push_back({name, is_folder});
+    if (!is_folder && !passes(filter_, entry->path())) continue;
+    std::error_code unknown;
+    const std::uintmax_t bytes = is_folder ? 0 : entry->file_size(unknown);
+    entries.push_back({name, is_folder, unknown ? 0 : bytes, entry->last_write_time(unknown)});
   }
-  std::ranges::sort(entries, {}, [](const FileEntry& each) {
-    return std::tuple(!each.is_folder, std::string_view(each.name));
+  std::ranges::sort(entries, {}, [this](const FileEntry& each) {
+    const auto size = order_ == FileOrder::size ? each.bytes : 0;
+    const auto time = order_ == FileOrder::time ? each.written : std::filesystem::file_time_type{};
+    return std::tuple(!each.is_folder, ~size, -time.time_since_epoch(), std::string_view(each.name));
   });
   if (whole.has_relative_path()) entries.insert(entries.begin(), {"..", true});
   folder_ = std::move(whole);
   entries_ = std::move(entries);
   return true;
+}
+
+void FileBrowser::set_order(FileOrder order) {
+  order_ = order;
+  go_to(folder_);
 }
 
 void FileBrowser::set_filter(FileFilter filter) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,12 +38,21 @@ inline constexpr std::array<const char*, 11> file_filter_names{"all that Offing 
 struct FileEntry {
   std::string name;  ///< without its folder
   bool is_folder = false;
-
-  bool operator==(const FileEntry&) const = default;
+  std::uintmax_t bytes = 0;                      ///< of a file
+  std::filesystem::file_time_type written = {};  ///< last
 };
 
+/// By what a FileBrowser sorts files: by their names, the largest first, or those written last first.
+enum class FileOrder { name, size, time };
+
+/// "1.2 MB".
+std::string shown_size(std::uintmax_t bytes);
+/// "2026-11-28 14:05", local.
+std::string shown_time(std::filesystem::file_time_type time);
+
 /// The contents of one folder, as a file dialog shows them: ".." and folders first, then the files that the
-/// filter lets through, by their names. Hidden ones are left out. A tile store counts as a file.
+/// filter lets through, in the order that was chosen. Hidden ones are left out. A tile store counts as a
+/// file.
 class FileBrowser {
  public:
   /// Shows another folder; false where it cannot be read, and then stays where it was. Relative ones begin at
@@ -50,6 +60,8 @@ class FileBrowser {
   bool go_to(const std::filesystem::path& folder);
   void set_filter(FileFilter filter);
   FileFilter filter() const { return filter_; }
+  void set_order(FileOrder order);
+  FileOrder order() const { return order_; }
   /// Absolute.
   const std::filesystem::path& folder() const { return folder_; }
   const std::vector<FileEntry>& entries() const { return entries_; }
@@ -59,6 +71,7 @@ class FileBrowser {
  private:
   std::filesystem::path folder_;
   FileFilter filter_ = FileFilter::known;
+  FileOrder order_ = FileOrder::name;
   std::vector<FileEntry> entries_;
 };
 

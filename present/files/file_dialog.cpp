@@ -24,6 +24,37 @@ std::string shown_entry(const FileEntry& entry) {
   return entry.is_folder ? entry.name + "/" : entry.name;
 }
 
+/// Where size and time begin, right of the left edge of a list of that width; 0: there is no room for them.
+struct EntryColumns {
+  float size_px = 0.0f, time_px = 0.0f;
+};
+EntryColumns entry_columns(float width) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float em = ImGui::GetFontSize();
+  const float time = ImGui::CalcTextSize("0000-00-00 00:00").x, size = ImGui::CalcTextSize("000 MB").x;
+  const float time_px = width - time - style.ScrollbarSize - style.WindowPadding.x;
+  const float size_px = time_px - size - em;
+  constexpr float least_name_em = 10.0f;
+  return size_px < least_name_em * em ? EntryColumns{} : EntryColumns{size_px, time_px};
+}
+
+/// In the line of a row of the list, over the end of a name that is too long.
+void draw_facts(const FileEntry& entry, const EntryColumns& columns) {
+  if (columns.size_px <= 0.0f || entry.name == "..") return;
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float left = ImGui::GetWindowPos().x, end = left + ImGui::GetWindowWidth();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float em = ImGui::GetFontSize();
+  if (ImGui::GetItemRectMax().x > left + columns.size_px - 0.5f * em) {
+    list.AddRectFilled({left + columns.size_px - 0.5f * em, low.y}, {end, low.y + ImGui::GetTextLineHeight()},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg, 1.0f));
+  }
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  if (!entry.is_folder)
+    list.AddText({left + columns.size_px, low.y}, colour, shown_size(entry.bytes).c_str());
+  list.AddText({left + columns.time_px, low.y}, colour, shown_time(entry.written).c_str());
+}
+
 /// A row of a list. Names can hold what ImGui takes for the end of a label: they are text beside a row
 /// without one.
 bool list_row(const char* label, std::size_t number, std::string_view text, bool is_chosen) {
@@ -43,6 +74,7 @@ void FileDialog::open(const Request& request) {
   is_open_ = true;
   name_ = request.name;
   asked_.clear();
+  new_folder_.reset();
   browser_ = {};
   browser_.set_filter(request.filter);
   go_to(request.folder);
@@ -124,7 +156,7 @@ std::optional<ChosenFile> FileDialog::draw() {
   constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(title, nullptr, fixed)) return {};
-  has_list_ = false;
+  has_list_ = new_folder_.has_value();
   const bool asks = !asked_.empty();
   ImGui::BeginDisabled(asks);
   draw_folder();
@@ -136,14 +168,17 @@ std::optional<ChosenFile> FileDialog::draw() {
   draw_places();
   ImGui::EndChild();
   ImGui::SameLine();
-  ImGui::BeginChild("entries", ImVec2(0.0f, height), true);
+  ImGui::BeginGroup();
+  draw_head();
+  ImGui::BeginChild("entries", ImVec2(0.0f, height - ImGui::GetTextLineHeightWithSpacing()), true);
   draw_entries();
   ImGui::EndChild();
+  ImGui::EndGroup();
   draw_name();
   ImGui::EndDisabled();
   if (asks) {
     draw_answers();
-  } else if (!has_list_) {
+  } else if (!has_list_ && !new_folder_) {
     if (is_pressed(ImGuiKey_Escape)) is_open_ = false;
     if (!ImGui::IsAnyItemActive()) focuses_name_ = true;
   }
@@ -154,11 +189,59 @@ std::optional<ChosenFile> FileDialog::draw() {
 }
 
 void FileDialog::draw_folder() {
+  if (new_folder_) return draw_new_folder();
   if (ImGui::Button("up")) go_to("..");
   ImGui::SameLine();
+  if (is_saving() || is_of_folders()) {
+    if (ImGui::Button("new folder")) new_folder_.emplace();
+    ImGui::SameLine();
+  }
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::InputText("##folder", &folder_text_, ImGuiInputTextFlags_EnterReturnsTrue)) return;
   go_to(browser_.at(folder_text_));
+}
+
+/// In the place of the folder: Enter makes it, Esc leaves it.
+void FileDialog::draw_new_folder() {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("new folder");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  const bool is_entered = ImGui::InputTextWithHint("##new folder", "its name", &*new_folder_,
+                                                   ImGuiInputTextFlags_EnterReturnsTrue);
+  if (is_entered && !new_folder_->empty()) {
+    const std::filesystem::path folder = browser_.at(*new_folder_);
+    std::error_code failure;
+    std::filesystem::create_directory(folder, failure);
+    go_to(folder);
+    if (failure) fault_ = fmt::format("{}: {}", one_line(folder.string()), failure.message());
+  }
+  if (is_entered || is_pressed(ImGuiKey_Escape)) {
+    new_folder_.reset();
+    focuses_name_ = true;
+  }
+}
+
+/// Above the list: what it can be sorted by.
+void FileDialog::draw_head() {
+  const EntryColumns columns = entry_columns(ImGui::GetContentRegionAvail().x);
+  const float left = ImGui::GetCursorPosX();
+  const auto head = [&](const char* label, float at, FileOrder order) {
+    ImGui::SetCursorPosX(left + at);
+    const bool is_chosen = browser_.order() == order;
+    if (!is_chosen) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    const bool is_clicked = ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups,
+                                              ImVec2(ImGui::CalcTextSize(label, nullptr, true).x, 0.0f));
+    if (!is_chosen) ImGui::PopStyleColor();
+    if (is_clicked) browser_.set_order(order);
+  };
+  head("name##order", ImGui::GetStyle().FramePadding.x, FileOrder::name);
+  if (columns.size_px <= 0.0f) return;
+  ImGui::SameLine();
+  head("size##order", columns.size_px, FileOrder::size);
+  ImGui::SameLine();
+  head("changed##order", columns.time_px, FileOrder::time);
 }
 
 void FileDialog::draw_places() {
@@ -189,6 +272,7 @@ void FileDialog::draw_places() {
 void FileDialog::draw_entries() {
   // What a double click enters is another list.
   const std::vector<FileEntry> entries = browser_.entries();
+  const EntryColumns columns = entry_columns(ImGui::GetWindowWidth());
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(entries.size()));
   const auto chosen = std::ranges::find(entries, name_, shown_entry);
@@ -199,8 +283,11 @@ void FileDialog::draw_entries() {
   }
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const std::string name = shown_entry(entries[static_cast<std::size_t>(i)]);
-      if (!list_row("##entry", static_cast<std::size_t>(i), name, name == name_)) continue;
+      const FileEntry& entry = entries[static_cast<std::size_t>(i)];
+      const std::string name = shown_entry(entry);
+      const bool is_clicked = list_row("##entry", static_cast<std::size_t>(i), name, name == name_);
+      draw_facts(entry, columns);
+      if (!is_clicked) continue;
       name_ = name;
       focuses_name_ = true;
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept();

@@ -49,6 +49,8 @@ class FileDialog {
 
  private:
   void draw_folder();
+  void draw_new_folder();
+  void draw_head();
   void draw_places();
   void draw_entries();
   void draw_name();
@@ -66,7 +68,8 @@ class FileDialog {
   Request request_;
   FileBrowser browser_;
   std::string folder_text_, name_, fault_;
-  std::filesystem::path asked_;  // is there already; empty: there is no question
+  std::optional<std::string> new_folder_;  // its name, while it is typed
+  std::filesystem::path asked_;            // is there already; empty: there is no question
   bool answers_replace_ = false;
   bool focuses_name_ = false, scrolls_ = false, has_list_ = false;
   std::optional<ChosenFile> chosen_;

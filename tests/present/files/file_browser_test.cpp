@@ -1,8 +1,12 @@
 // The folders and files that a file dialog lists, and what a typed name means there.
 #include "present/files/file_browser.h"
 
+#include <chrono>
+#include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -37,6 +41,38 @@ class FileBrowserTest : public testing::Test {
   TemporaryFolder folder_;
   FileBrowser browser_;
 };
+
+// Fails if files are in another order than the one that was chosen, or folders are among them.
+TEST_F(FileBrowserTest, SortsBySizeAndTime) {
+  std::ofstream(folder_.path() / "coast.tif") << std::string(5000, 'x');
+  std::ofstream(folder_.path() / "sea.toml") << std::string(70, 'x');
+  const auto now = std::filesystem::file_time_type::clock::now();
+  for (const auto& [name, hours] :
+       {std::pair("sea.toml", 3), {"b.ply", 1}, {"coast.tif", 4}, {"SHIP.GLB", 2}})
+    std::filesystem::last_write_time(folder_.path() / name, now - std::chrono::hours(hours));
+  browser_.set_order(FileOrder::size);
+  EXPECT_THAT(names(FileFilter::known),
+              ElementsAre("..", "maps ü", "coast.tif", "sea.toml", "SHIP.GLB", "b.ply"));
+  EXPECT_EQ(browser_.entries()[2].bytes, 5000u);
+  browser_.set_order(FileOrder::time);
+  EXPECT_THAT(names(FileFilter::known),
+              ElementsAre("..", "maps ü", "b.ply", "SHIP.GLB", "sea.toml", "coast.tif"));
+}
+
+// Fails if a size or a time is shown as another one.
+TEST(ShownFileTest, SizesAndTimes) {
+  const test::ScopedEnvironment zone("TZ", "UTC");
+  tzset();
+  EXPECT_EQ(shown_size(0), "0 B");
+  EXPECT_EQ(shown_size(999), "999 B");
+  EXPECT_EQ(shown_size(1234), "1.2 kB");
+  EXPECT_EQ(shown_size(9'990), "10 kB");
+  EXPECT_EQ(shown_size(999'700), "1.0 MB");
+  EXPECT_EQ(shown_size(12'345'678'901), "12 GB");
+  using std::chrono::file_clock;
+  const auto time = std::chrono::sys_days(std::chrono::year(2026) / 11 / 28) + std::chrono::seconds(50700);
+  EXPECT_EQ(shown_time(file_clock::from_sys(time)), "2026-11-28 14:05");
+}
 
 // Fails if a filter hides its own files, shows others or hidden ones, or hides folders.
 TEST_F(FileBrowserTest, ListsFoldersThenFilesOfTheKind) {

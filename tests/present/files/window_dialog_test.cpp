@@ -143,6 +143,29 @@ TEST_F(WindowDialogTest, WindAndSaveAsInFourSteps) {
   EXPECT_NE(scene::load_scene(work("sea.toml")).wind.wind_speed_mps, state().scene.wind.wind_speed_mps);
 }
 
+// Fails if a folder cannot be made where a scene is saved, the file lies elsewhere than in it, or Esc closes
+// more than the field for its name.
+TEST_F(WindowDialogTest, MakesAFolder) {
+  open(scene_in_folder());
+  press_with_control_and_shift("s");
+  ASSERT_TRUE(is_open());
+  click(find(dialog(), "new folder", 80));
+  turn(4);
+  press("Escape");
+  turn(3);
+  ASSERT_TRUE(is_open());
+  click(find(dialog(), "new folder", 80));
+  turn(4);
+  type("mine");
+  press("Return");
+  turn(4);
+  ASSERT_TRUE(is_open());
+  EXPECT_TRUE(std::filesystem::is_directory(work("mine")));
+  press("Return");
+  turn(4);
+  EXPECT_TRUE(std::filesystem::exists(work("mine/sea_edited.toml"))) << message();
+}
+
 // Fails if a file is replaced without a question, or the question is answered by the Enter that raised it.
 TEST_F(WindowDialogTest, AsksBeforeItReplaces) {
   open(scene_in_folder());
