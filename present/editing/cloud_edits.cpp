@@ -51,6 +51,10 @@ void copy_keys(Scene& scene, std::size_t from, std::size_t to) {
 
 }  // namespace
 
+bool is_hidden(const Scene& scene, std::size_t cloud) {
+  return scene.clouds[cloud].visible == scene::CloudVisibility::off;
+}
+
 bool has_part(const Scene& scene, const CloudPart& part) {
   if (part.cloud >= scene.clouds.size()) return false;
   if (!part.ball) return true;

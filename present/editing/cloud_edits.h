@@ -20,6 +20,9 @@ struct CloudPart {
 /// Whether the scene has it. The balls of a genus count where the cloud has none of its own.
 bool has_part(const scene::Scene& scene, const CloudPart& part);
 
+/// Hidden clouds are not drawn, and a click does not pick them.
+bool is_hidden(const scene::Scene& scene, std::size_t cloud);
+
 /// Where the axes of a cloud are in the world at a time.
 glm::dvec3 origin_of_cloud(const scene::Scene& scene, std::size_t cloud, double time_s);
 

@@ -34,7 +34,8 @@ class Overlay {
       }
     }
     for (const auto& [part, sphere] : balls.size() > most_outlines ? active : balls) {
-      if (std::find(picked.begin(), picked.end(), part) == picked.end()) outline(sphere, ball_colour, 1.0);
+      const bool is_picked = std::find(picked.begin(), picked.end(), part) != picked.end();
+      if (!is_picked && !is_hidden(state_.scene, part.cloud)) outline(sphere, ball_colour, 1.0);
     }
   }
 

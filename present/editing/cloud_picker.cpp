@@ -47,6 +47,7 @@ std::optional<CloudPart> pick_ball(const ShownClouds& shown, const Ray& ray,
                                    const std::optional<CloudPart>& last) {
   std::vector<std::pair<double, CloudPart>> met;
   for (std::size_t cloud = 0; cloud < shown.scene.clouds.size(); ++cloud) {
+    if (is_hidden(shown.scene, cloud)) continue;
     const std::vector<Sphere> spheres = balls_of(shown.scene, cloud, shown.time_s);
     for (std::size_t ball = 0; ball < spheres.size(); ++ball) {
       const std::optional<double> miss = miss_of(ray, spheres[ball]);
@@ -90,6 +91,7 @@ std::vector<CloudPart> parts_in(const ShownClouds& shown, const Screen& screen, 
   };
   std::vector<CloudPart> parts;
   for (std::size_t cloud = 0; cloud < shown.scene.clouds.size(); ++cloud) {
+    if (is_hidden(shown.scene, cloud)) continue;
     if (kind == PartKind::clouds) {
       if (is_in(sphere_of(shown, {cloud, {}}))) parts.push_back({cloud, {}});
       continue;

@@ -13,9 +13,10 @@
 #include "host/clouds/shape/genera.h"
 #include "host/mesh_shapes/shape_table.h"
 #include "host/scene/schema/parameter_table.h"
+#include "present/editing/cloud_edits.h"
 #include "present/editing/objects/selection.h"
-#include "present/panels/preset_buttons.h"
 #include "present/panels/panel_layout.h"
+#include "present/panels/preset_buttons.h"
 #include "present/window/bookmarks.h"
 
 namespace offing::present {
@@ -164,18 +165,38 @@ std::string shortened(std::string name, float width_px) {
 
 constexpr float eye_ems = 1.6f;
 
-/// At the end of a row: an eye that is open, or struck through where the meshes are hidden.
-void draw_eye(ViewState& state, const std::vector<std::size_t>& meshes, PanelEdits& edits) {
+bool has_eye(const scene::Scene& scene, const SceneObject& object) {
+  return object.kind == ObjectKind::cloud || object.kind == ObjectKind::cloud_layer ||
+         !meshes_of_row(scene, object).empty();
+}
+
+bool is_row_shown(const scene::Scene& scene, const SceneObject& object) {
+  if (object.kind == ObjectKind::cloud) return !is_hidden(scene, object.index);
+  if (object.kind == ObjectKind::cloud_layer)
+    return scene.cloud_layers[object.index].visible == scene::CloudVisibility::on;
+  const std::size_t mesh = meshes_of_row(scene, object).front();
+  return scene.meshes[mesh].material.visible == world::MeshVisibility::on;
+}
+
+/// Hides what is shown, and shows what is hidden.
+void turn_visibility(scene::Scene& scene, const SceneObject& object) {
+  const bool is_shown = is_row_shown(scene, object);
+  const auto of_cloud = is_shown ? scene::CloudVisibility::off : scene::CloudVisibility::on;
+  if (object.kind == ObjectKind::cloud) scene.clouds[object.index].visible = of_cloud;
+  if (object.kind == ObjectKind::cloud_layer) scene.cloud_layers[object.index].visible = of_cloud;
+  for (const std::size_t mesh : meshes_of_row(scene, object)) {
+    scene.meshes[mesh].material.visible = is_shown ? world::MeshVisibility::off : world::MeshVisibility::on;
+  }
+}
+
+/// At the end of a row: an eye that is open, or struck through where the object is hidden.
+void draw_eye(ViewState& state, const SceneObject& object, PanelEdits& edits) {
   const float em = ImGui::GetFontSize();
-  const auto visible = [&](std::size_t mesh) -> world::MeshVisibility& {
-    return state.scene.meshes[mesh].material.visible;
-  };
-  const bool is_shown = visible(meshes.front()) == world::MeshVisibility::on;
+  const bool is_shown = is_row_shown(state.scene, object);
   ImGui::SameLine(0.0f, 0.0f);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##visible", {eye_ems * em, ImGui::GetTextLineHeight()})) {
-    for (const std::size_t mesh : meshes)
-      visible(mesh) = is_shown ? world::MeshVisibility::off : world::MeshVisibility::on;
+    turn_visibility(state.scene, object);
     edits.scene = Edit::done;
   }
   explain_item(is_shown ? "hide" : "hidden: click to show");
@@ -232,8 +253,8 @@ bool draw_row(ViewState& state, const SceneObject& object, RowShow show, bool ha
     draw_name_field(state, edits);
     return is_open;
   }
-  const std::vector<std::size_t> meshes = meshes_of_row(state.scene, object);
-  const ImVec2 size(ImGui::GetContentRegionAvail().x - (meshes.empty() ? 0.0f : eye_ems * em), 0.0f);
+  const bool with_eye = has_eye(state.scene, object);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x - (with_eye ? eye_ems * em : 0.0f), 0.0f);
   if (ImGui::Selectable("##object", is_selected, ImGuiSelectableFlags_AllowDoubleClick, size)) {
     if (!is_selected) select_object(state, object);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) open_row(state, object, edits);
@@ -248,7 +269,7 @@ bool draw_row(ViewState& state, const SceneObject& object, RowShow show, bool ha
   list.AddCircleFilled({corner.x + indent + 0.4f * em, middle}, 0.28f * em, colour_of(object.kind));
   list.AddText({name_px, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
                shortened(label_of(state.scene, object), name_end_px - name_px).c_str());
-  if (!meshes.empty()) draw_eye(state, meshes, edits);
+  if (with_eye) draw_eye(state, object, edits);
   return is_open;
 }
 

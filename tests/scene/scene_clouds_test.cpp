@@ -60,6 +60,21 @@ TEST_F(SceneClouds, NoneOfEmptyLayers) {
   EXPECT_FALSE(prepare_clouds(scene_of("[[cloud_layer]]\ncoverage = 0\n")));
 }
 
+// Fails if a hidden cloud is shown, takes the place of another one in its list, or hides others.
+TEST_F(SceneClouds, HiddenCloudsHaveNoParticles) {
+  const std::string two = "[[cloud]]\nname = \"a\"\n[[cloud]]\nname = \"b\"\n";
+  const auto sky = sky_of(two + "visible = \"off\"\n");
+  ASSERT_EQ(sky.clouds.size(), 2u);
+  EXPECT_EQ(sky.particles[0], nullptr);
+  ASSERT_NE(sky.particles[1], nullptr);
+  EXPECT_TRUE(sky.particles[1]->empty());
+  EXPECT_EQ(sky, sky_of(two + "visible = \"off\"\n"));
+  EXPECT_FALSE(prepare_clouds(scene_of("[[cloud]]\nvisible = \"off\"\n")));
+  const std::string layer = "[[cloud_layer]]\ncoverage = 0.5\n";
+  EXPECT_FALSE(prepare_clouds(scene_of(layer + "visible = \"off\"\n")));
+  EXPECT_EQ(sky_of(layer + "[[cloud_layer]]\nvisible = \"off\"\n"), sky_of(layer));
+}
+
 // Fails if what a scene does not say is not the genus', or what it says is lost.
 TEST_F(SceneClouds, GenusFillsInWhatIsNotSaid) {
   const clouds::CloudParameters usual = clouds::preset(clouds::Genus::stratus);

@@ -52,6 +52,9 @@ struct CloudLookScene {
   bool operator==(const CloudLookScene&) const = default;
 };
 
+/// Whether a cloud, or those of a layer, are shown and throw shadows.
+enum class CloudVisibility { off, on };
+
 /// How a cloud moves; what is absent is as the genus has it.
 struct CloudMotionScene {
   std::optional<glm::dvec3> wind_mps;
@@ -66,6 +69,7 @@ struct CloudMotionScene {
 /// A cloud of a scene. What is absent is as its genus has it.
 struct CloudScene {
   std::string name;
+  CloudVisibility visible = CloudVisibility::on;
   clouds::Genus genus = clouds::Genus::cumulus;
   glm::dvec3 position_m{0.0};  ///< of which y counts only where it is given
   std::optional<double> altitude_m;
@@ -86,6 +90,7 @@ struct CloudScene {
 
 /// Many clouds of a genus at an altitude.
 struct CloudLayerScene {
+  CloudVisibility visible = CloudVisibility::on;
   clouds::Genus genus = clouds::Genus::cumulus;
   double coverage = 0.3;             ///< share of the sky, 0 ... 0.95
   double extent_m = 10'000.0;        ///< edge of the square that it covers

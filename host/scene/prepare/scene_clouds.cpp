@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -160,6 +161,12 @@ std::vector<CloudParameters> layer_clouds(const Scene& scene, std::size_t index)
   }
 }
 
+/// Of a hidden cloud, which keeps its place among the others: always the same object.
+const RestingParticles& no_particles() {
+  static const RestingParticles none = std::make_shared<const std::vector<CloudParticle>>();
+  return none;
+}
+
 void take_quality(double quality, CloudParameters& parameters) {
   constexpr double most = 1e7;  // of cloud.target_particles
   parameters.target_particles =
@@ -220,16 +227,21 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene, Clou
     CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);
     require_valid_cloud(scene, i, parameters);
-    sky.particles.push_back(shapes.take(scene, i, parameters));
+    RestingParticles particles = shapes.take(scene, i, parameters);
+    const bool is_shown = scene.clouds[i].visible == CloudVisibility::on;
+    sky.particles.push_back(is_shown ? std::move(particles) : no_particles());
     sky.clouds.push_back(std::move(parameters));
   }
   for (std::size_t i = 0; i < scene.cloud_layers.size(); ++i) {
+    if (scene.cloud_layers[i].visible == CloudVisibility::off) continue;
     for (CloudParameters& parameters : layer_clouds(scene, i)) {
       take_quality(scene.cloud_settings.quality, parameters);
       sky.clouds.push_back(std::move(parameters));
     }
   }
-  if (sky.clouds.empty()) return std::nullopt;  // layers that cover nothing
+  const std::ptrdiff_t hidden = std::ranges::count(sky.particles, no_particles());
+  // Layers that cover nothing, or all are hidden.
+  if (hidden == std::ssize(sky.clouds)) return std::nullopt;
   return sky;
 }
 

@@ -93,6 +93,8 @@ std::vector<Row<CloudsScene>> common_rows() {
 
 std::vector<Row<CloudLayerScene>> layer_rows() {
   return {
+      {choice(&CloudLayerScene::visible, {"off", "on"}),
+       {.key = "visible", .help = "whether its clouds are shown; hidden clouds cast no shadows"}},
       {choice(&CloudLayerScene::genus, genera()), {.key = "genus", .help = "genus of its clouds"}},
       {&CloudLayerScene::coverage,
        {.key = "coverage",
@@ -141,6 +143,8 @@ std::vector<Row<CloudScene>> cloud_place_rows() {
             .example = "anvil",
             .absent = "none",
             .rule = ParameterRule::name}},
+          {choice(&CloudScene::visible, {"off", "on"}),
+           {.key = "visible", .help = "whether it is shown; a hidden cloud casts no shadow"}},
           {choice(&CloudScene::genus, genera()),
            {.key = "genus", .help = "genus, which sets the default of every other value"}},
           {path(position, &glm::dvec3::x),

@@ -19,6 +19,7 @@
 #include "host/io/vdb/vdb_volume.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_writer.h"
+#include "present/editing/cloud_picker.h"
 #include "present/editing/objects/selection.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/present/gl_test.h"
@@ -171,6 +172,24 @@ TEST_F(SceneEditingTest, TheLastCloudMayGo) {
   ASSERT_NE(sea_->clouds(), nullptr);
   EXPECT_GT(sea_->clouds()->count(), 0u);
   picture();
+}
+
+// Fails if the picture of a hidden cloud is not that without it, a hidden cloud can be picked, or undo does
+// not show it again.
+TEST_F(SceneEditingTest, HiddenCloudsAreNotThere) {
+  const std::vector<unsigned char> both = picture();
+  edit([](scene::Scene& scene) { scene.clouds[0].visible = scene::CloudVisibility::off; });
+  wait();
+  EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+  const std::vector<unsigned char> hidden = picture();
+  EXPECT_FALSE(hidden == both);
+  EXPECT_EQ(sea_->clouds(), nullptr) << "nothing of it is left to draw";
+  const ShownClouds shown{state_.scene, sea_->clouds(), 0.0};
+  const ClipBox all{.low = {-1.0, -1.0}, .high = {1.0, 1.0}};
+  EXPECT_TRUE(parts_in(shown, {state_.scene.view.camera, {96.0, 64.0}}, all, PartKind::balls).empty());
+  editing_->undo();
+  wait();
+  EXPECT_TRUE(picture() == both);
 }
 
 TEST_F(SceneEditingTest, RefusesBrokenFiles) {
