@@ -240,9 +240,9 @@ void SceneEditing::take_other_edit(scene::Scene scene) {
   take_scene(std::move(scene));
 }
 
-void SceneEditing::take_clouds() {
+void SceneEditing::take_made() {
   try {
-    sea_.take_clouds();
+    sea_.take_made();
   } catch (const Error& error) {
     const Message fault = fault_message(error);
     // What failed is taken back. What is the last edit then may still have to be made, as it was given up for

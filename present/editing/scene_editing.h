@@ -31,8 +31,8 @@ class SceneEditing {
   /// Takes in what the mouse did beside panels. True while it holds something: then it does not move the
   /// camera.
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
-  /// Shows clouds that have been made since the last frame.
-  void take_clouds();
+  /// Shows clouds and lakes that have been made since the last frame.
+  void take_made();
   /// An edit that `change` makes of a scene and says something of, which the message then shows, or its
   /// fault.
   void make(const std::function<std::string(scene::Scene&)>& change);

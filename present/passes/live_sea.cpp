@@ -5,7 +5,9 @@
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "host/base/error.h"
 #include "host/base/host_memory.h"
@@ -14,6 +16,7 @@
 #include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/scene/schema/scene_elements.h"
 #include "present/gl/stage_times.h"
@@ -53,6 +56,7 @@ void LiveSea::make(const scene::Scene& scene, std::optional<FirstView> view) {
     if (watch_) watch_(opening.step());
   }
   OpenedWorld opened = opening.take();
+  lakes_.stop();
   if (const auto billboards = scene::own_billboards(scene)) frame->set_billboards(device_, *billboards);
   builder_ = std::move(opened.builder);
   world_ = std::move(opened.world);
@@ -121,8 +125,10 @@ std::map<std::string_view, double> LiveSea::computed_values() const {
 
 void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
-  // All but the clouds is shown at once.
+  // All but clouds and new lakes is shown at once.
   scene::take_values(scene::all_but_clouds, scene, next_);
+  if (scene::has_lakes_to_fill(scene_, next_))
+    next_.lakes = scene::is_other_ground(scene_, next_) ? std::vector<scene::LakeScene>() : scene_.lakes;
   try {
     change([&] { scene::edit_world_below(*world_, scene_, next_); });
   } catch (const Error&) {
@@ -133,6 +139,7 @@ void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const bool are_other_clouds = scene::are_other_clouds(wanted_, scene);
   scene::take_values(scene::everything, scene, wanted_);
   if (are_other_clouds) builder_->begin(wanted_, haste);
+  fill_lakes(haste);
   warn();
   edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -150,9 +157,34 @@ void LiveSea::show_clouds(BuiltClouds built) {
   warn();
 }
 
-bool LiveSea::take_clouds() {
+/// Those that are wanted and not shown.
+void LiveSea::fill_lakes(Haste haste) {
+  if (!scene::has_lakes_to_fill(scene_, wanted_)) return lakes_.stop();
+  const world::TerrainParameters& ground = *world_->parameters().terrain;
+  if (lakes_.is_busy() && (haste == Haste::let_finish || lakes_.is_filling(wanted_.lakes, ground))) return;
+  lakes_.begin(wanted_, scene_.lakes, ground);
+}
+
+bool LiveSea::take_lakes() {
+  std::optional<SceneLakes> filled = lakes_.take();
+  if (!filled) return false;
+  const world::TerrainParameters& ground = *world_->parameters().terrain;
+  if (filled->are_on(ground)) {
+    world::TerrainParameters terrain = ground;
+    terrain.lakes = std::move(filled->terrain.lakes);
+    change([&] { world_->set_terrain(terrain); });
+    scene_.lakes = next_.lakes = std::move(filled->lakes);
+  }
+  // What was wanted while they were filled.
+  if (scene::differ_in(scene::all_but_clouds, scene_, wanted_))
+    begin_edit(scene::Scene(wanted_), Haste::let_finish);
+  return true;
+}
+
+bool LiveSea::take_made() {
+  const bool has_lakes = take_lakes();
   auto made = builder_->take();
-  if (!made) return false;
+  if (!made) return has_lakes;
   if (const Error* fault = std::get_if<Error>(&*made)) throw *fault;
   show_clouds(std::get<BuiltClouds>(std::move(*made)));
   return true;
@@ -161,7 +193,11 @@ bool LiveSea::take_clouds() {
 void LiveSea::edit(const scene::Scene& scene) {
   begin_edit(scene, Haste::interrupt);
   builder_->wait();
-  take_clouds();
+  while (lakes_.is_busy()) {
+    take_made();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  take_made();
 }
 
 void LiveSea::reload() {

@@ -17,6 +17,7 @@
 #include "present/gl/gl_context.h"
 #include "present/output/recorder.h"
 #include "present/passes/frame.h"
+#include "present/passes/lake_filler.h"
 #include "present/passes/sky/light_meter.h"
 #include "present/passes/world_opening.h"
 
@@ -48,13 +49,16 @@ class LiveSea {
   /// Shows another scene as a fresh start with it would, on the same device: nothing of the one before goes
   /// on. Throws what making a world throws, Error(cancelled) where the token says so.
   void open(const scene::Scene& scene);
-  /// Changes the scene, making anew only what differs; clouds that differ are made in the background.
+  /// Changes the scene, making anew only what differs. Clouds that differ are made in the background, and so
+  /// are lakes, of which the last ones stay until then if the ground does.
   void begin_edit(const scene::Scene& scene, Haste haste);
-  /// Shows clouds that have been made since; whether there were any. Throws what making them has thrown: the
-  /// world and its scene are as they were, but wanted() is not shown then.
-  bool take_clouds();
-  /// begin_edit() and take_clouds() once they are made.
+  /// Shows clouds and lakes that have been made since; whether there were any. Throws what making them has
+  /// thrown: the world and its scene are as they were, but wanted() is not shown then.
+  bool take_made();
+  /// begin_edit() and take_made() once all is made.
   void edit(const scene::Scene& scene);
+  /// Whether clouds or lakes are being made.
+  bool is_making() const { return lakes_.is_busy() || clouds_progress(); }
   /// How far clouds are that are being made; nothing when none are.
   std::optional<world::CloudProgress> clouds_progress() const { return builder_->progress(); }
   /// Whether wakes of the last picture have not come as far as its time (Quality::most_wake_steps).
@@ -67,7 +71,7 @@ class LiveSea {
   std::map<std::string_view, double> computed_values() const;
   /// What is shown.
   const scene::Scene& scene() const { return scene_; }
-  /// That of the last edit that began: with clouds that are still being made.
+  /// That of the last edit that began: with clouds and lakes that are still being made.
   const scene::Scene& wanted() const { return wanted_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
@@ -108,6 +112,8 @@ class LiveSea {
   /// Changes the world, or leaves it as it was.
   void change(const std::function<void()>& work);
   void show_clouds(BuiltClouds built);
+  void fill_lakes(Haste haste);
+  bool take_lakes();
   std::unique_ptr<Frame> new_frame(const scene::Scene& scene) const;
   /// What was written where has been checked: edits are not to be warned of as if they were in the file.
   void take_scene(scene::Scene scene, std::optional<scene::Scene> wanted = {});
@@ -121,6 +127,7 @@ class LiveSea {
   scene::Scene scene_, wanted_;
   scene::Scene next_;  // as scene_ but within an edit: edits copy what they change and no more
   std::unique_ptr<CloudBuilder> builder_;
+  LakeFiller lakes_;
   std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;

@@ -58,7 +58,7 @@ OpenedWorld WorldOpening::open(const ocl::Device& device, scene::Scene scene, st
     opened.with_clouds = scene;
     scene::copy_clouds({}, scene);
   }
-  world::WorldParameters parameters = scene::prepare_shown_world(scene);
+  world::WorldParameters parameters = scene::prepare_shown_world(scene, Work(cancel));
   cancel.throw_if_cancelled();
   if (parameters.clouds) {
     begin("the clouds");

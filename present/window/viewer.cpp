@@ -133,7 +133,7 @@ bool Viewer::is_sharp() const {
 }
 
 bool Viewer::is_at_rest() const {
-  return is_sharp() && !has_panels_to_draw() && intake_.is_idle() && !sea_.clouds_progress();
+  return is_sharp() && !has_panels_to_draw() && intake_.is_idle() && !sea_.is_making();
 }
 
 /// Waits for input where nothing is left to draw.
@@ -152,7 +152,7 @@ void Viewer::take_events() {
   const double now_s = glfwGetTime();
   if (std::exchange(deeds_, input_.deeds()) != input_.deeds()) deed_s_ = now_s;
   const bool has_news = std::exchange(events_, input_.events()) != input_.events();
-  if (has_news || sea_.clouds_progress()) panels_follow_s_ = now_s + panels_follow_s;
+  if (has_news || sea_.is_making()) panels_follow_s_ = now_s + panels_follow_s;
 }
 
 bool Viewer::turn() {
@@ -173,7 +173,7 @@ bool Viewer::turn() {
   const bool was_recording = record_.is_recording();
   record_.turn();
   if (was_recording && !record_.is_recording()) panels_follow_s_ = now_s + panels_follow_s;
-  editing_.take_clouds();
+  editing_.take_made();
   // Where frames are slow, news stay for more of them.
   constexpr double longest_turn_s = 0.25;
   aged_from_s_ += std::max(0.0, wall_s - longest_turn_s);
@@ -182,7 +182,7 @@ bool Viewer::turn() {
   move_camera(wall_s);
   const Drawn drawn = show();
   // Frames in which wakes catch up or clouds are made say nothing of those that follow.
-  const bool is_usual = !sea_.is_behind() && !sea_.clouds_progress();
+  const bool is_usual = !sea_.is_behind() && !sea_.is_making();
   if (drawn == Drawn::moving && state_.kept_hz > 0.0f && is_usual) {
     const double shown_s = glfwGetTime();
     control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);

@@ -189,10 +189,10 @@ std::string place_of_lake(const Scene& scene, std::size_t index) {
   return fmt::format("lake {}", index + 1);
 }
 
-/// The lakes of a scene on its ground. What fills them is kept of a scene with the same heights, `before`.
+/// The lakes of a scene on its ground. Those of `before` are `known`.
 std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::TerrainParameters& terrain,
-                                          const Scene* before,
-                                          const std::vector<world::LakeSettings>& known) {
+                                          std::span<const LakeScene> before,
+                                          const std::vector<world::LakeSettings>& known, const Work& work) {
   std::vector<world::LakeSettings> lakes;
   const terrain::TerrainPosts posts = terrain.posts();
   for (std::size_t i = 0; i < scene.lakes.size(); ++i) {
@@ -200,15 +200,13 @@ std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::Terra
     world::LakeSettings& lake = lakes.emplace_back();
     lake.wind = {.wind_speed_mps = each.wind_speed_mps, .wind_direction_rad = each.wind_direction_rad};
     lake.water = each.water;
-    for (std::size_t j = 0; before != nullptr && j < std::min(known.size(), before->lakes.size()); ++j) {
-      const LakeScene& old = before->lakes[j];
-      if (old.x_m == each.x_m && old.z_m == each.z_m && old.level_m == each.level_m)
-        lake.lake = known[j].lake;
+    for (std::size_t j = 0; j < std::min(known.size(), before.size()); ++j) {
+      if (are_filled_alike(before[j], each)) lake.lake = known[j].lake;
     }
     const std::string place = place_of_lake(scene, i);
     if (!lake.lake) {
       lake.lake = std::make_shared<const terrain::Lake>(terrain::fill_lake(
-          posts, each.x_m - terrain.origin_x_m, each.z_m - terrain.origin_z_m, each.level_m, place));
+          posts, each.x_m - terrain.origin_x_m, each.z_m - terrain.origin_z_m, each.level_m, place, work));
     }
     if (scene.has_sea() && lake.lake->level_m <= scene.sea_level_m()) {
       throw Error(ErrorKind::bad_input,
@@ -227,7 +225,7 @@ std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::Terra
 }
 
 world::TerrainParameters placed(const Scene& scene, const Heights& heights,
-                                std::shared_ptr<const ColourMap> colours,
+                                std::shared_ptr<const ColourMap> colours, const Work& work,
                                 const std::optional<world::TerrainParameters>& now = {},
                                 const Scene* before = nullptr) {
   world::TerrainParameters terrain{
@@ -245,17 +243,41 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
   terrain.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);
   const bool is_same_place =
       now && now->origin_x_m == terrain.origin_x_m && now->origin_z_m == terrain.origin_z_m;
-  terrain.lakes = lakes_of(scene, terrain, is_same_place ? before : nullptr,
-                           now ? now->lakes : std::vector<world::LakeSettings>());
+  const bool are_known = is_same_place && before != nullptr;
+  terrain.lakes = lakes_of(scene, terrain, are_known ? before->lakes : std::span<const LakeScene>(),
+                           now ? now->lakes : std::vector<world::LakeSettings>(), work);
   return terrain;
 }
 
 }  // namespace
 
-std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene) {
+std::vector<world::LakeSettings> prepare_lakes(const Scene& scene, const world::TerrainParameters& terrain,
+                                               std::span<const LakeScene> before, const Work& work) {
+  return lakes_of(scene, terrain, before, terrain.lakes, work);
+}
+
+bool are_filled_alike(const LakeScene& one, const LakeScene& other) {
+  return one.x_m == other.x_m && one.z_m == other.z_m && one.level_m == other.level_m;
+}
+
+bool is_other_ground(const Scene& before, const Scene& after) {
+  return before.terrain.is_given != after.terrain.is_given ||
+         before.terrain.origin_x_m != after.terrain.origin_x_m ||
+         before.terrain.origin_z_m != after.terrain.origin_z_m || differ_in(Affects::heights, before, after);
+}
+
+bool has_lakes_to_fill(const Scene& before, const Scene& after) {
+  if (!after.terrain.is_given || after.lakes.empty()) return false;
+  return is_other_ground(before, after) || std::ranges::any_of(after.lakes, [&](const LakeScene& lake) {
+           return std::ranges::none_of(before.lakes,
+                                       [&](const LakeScene& old) { return are_filled_alike(old, lake); });
+         });
+}
+
+std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene, const Work& work) {
   if (!scene.terrain.is_given) return std::nullopt;
   const Heights heights = scene.terrain.file.empty() ? made_heights(scene.terrain) : read_heights(scene);
-  return placed(scene, heights, read_colours(scene, heights));
+  return placed(scene, heights, read_colours(scene, heights), work);
 }
 
 std::optional<world::TerrainParameters> edited_terrain(const std::optional<world::TerrainParameters>& now,
@@ -264,7 +286,8 @@ std::optional<world::TerrainParameters> edited_terrain(const std::optional<world
   if (!after.terrain.is_given || are_other_heights) return prepare_terrain(after);
   const Heights heights{.map = now->map, .tiles = now->tiles, .latitude_deg = now->latitude_deg};
   const bool are_same_colours = before.terrain.colour == after.terrain.colour;
-  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights), now, &before);
+  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights), {}, now,
+                &before);
 }
 
 void stand_on_ground(const world::WorldTerrain& terrain, ViewScene& view) {

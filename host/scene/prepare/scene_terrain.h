@@ -1,17 +1,34 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "host/base/work.h"
 #include "host/scene/model/scene.h"
 #include "host/world/world_terrain.h"
 
 namespace offing::scene {
 
 /// The ground of a scene, with its height map read or made; nothing where it has none. Throws
-/// Error(bad_input) that names the place in the scene for a file that is not there, and what
-/// read_height_map() and FractalTerrain throw.
-std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene);
+/// Error(bad_input) that names the place in the scene for a file that is not there, what
+/// read_height_map() and FractalTerrain throw, and Error(cancelled) where the work is to stop while lakes are
+/// filled.
+std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene, const Work& work = {});
+
+/// The lakes of a scene on its ground, which may have those of `before` already. Throws Error(bad_input) that
+/// names the place in the scene for a lake that cannot be there, and Error(cancelled) where the work is to
+/// stop.
+std::vector<world::LakeSettings> prepare_lakes(const Scene& scene, const world::TerrainParameters& terrain,
+                                               std::span<const LakeScene> before, const Work& work);
+
+/// Whether both lakes have the same water over the same ground.
+bool are_filled_alike(const LakeScene& one, const LakeScene& other);
+/// Whether an edit changes the heights of the ground or where they are.
+bool is_other_ground(const Scene& before, const Scene& after);
+/// Whether the scene after an edit has lakes that are still to be filled, which can take long.
+bool has_lakes_to_fill(const Scene& before, const Scene& after);
 
 /// The same for a scene that is an edit of another one, whose ground is `now`: heights are read or made only
 /// if they are others.

@@ -67,9 +67,9 @@ world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings
 
 }  // namespace
 
-world::WorldParameters prepare_world(const Scene& scene, Warnings warnings) {
+world::WorldParameters prepare_world(const Scene& scene, Warnings warnings, const Work& work) {
   world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
-  parameters.terrain = prepare_terrain(scene);
+  parameters.terrain = prepare_terrain(scene, work);
   parameters.clouds = prepare_clouds(scene);
   parameters.pictures = prepare_images(scene);
   parameters.meshes = prepare_meshes(scene);
@@ -79,8 +79,8 @@ world::WorldParameters prepare_world(const Scene& scene, Warnings warnings) {
   return parameters;
 }
 
-world::WorldParameters prepare_shown_world(Scene& scene) {
-  world::WorldParameters parameters = prepare_world(scene);
+world::WorldParameters prepare_shown_world(Scene& scene, const Work& work) {
+  world::WorldParameters parameters = prepare_world(scene, Warnings::logged, work);
   place_camera(scene, parameters.terrain);
   // The usual eye stands above the sea.
   if (!parameters.terrain && !scene.set_at.contains("camera.y_m"))

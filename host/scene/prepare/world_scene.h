@@ -1,17 +1,20 @@
 #pragma once
 
+#include "host/base/work.h"
 #include "host/scene/model/scene.h"
 #include "host/scene/prepare/sea.h"
 #include "host/world/world.h"
 
 namespace offing::scene {
 
-/// What a world needs of a scene, with the view of its start. Throws what prepare_sea() throws.
-world::WorldParameters prepare_world(const Scene& scene, Warnings warnings = Warnings::logged);
+/// What a world needs of a scene, with the view of its start. Throws what prepare_sea() and prepare_terrain()
+/// throw.
+world::WorldParameters prepare_world(const Scene& scene, Warnings warnings = Warnings::logged,
+                                     const Work& work = {});
 
 /// The same for a scene that is to be shown: its camera is placed where it says nothing (place_camera(),
 /// look_at_meshes()).
-world::WorldParameters prepare_shown_world(Scene& scene);
+world::WorldParameters prepare_shown_world(Scene& scene, const Work& work = {});
 
 /// Gives a world the sun and the air of a view; what has not changed costs nothing.
 void set_view(world::World& world, const ViewScene& view);

@@ -71,10 +71,10 @@ class SceneEditingTest : public test::GlTest {
     const auto end = clock::now() + std::chrono::seconds(60);
     while (sea_->clouds_progress()) {
       ASSERT_LT(clock::now(), end) << "the clouds are never made";
-      editing_->take_clouds();
+      editing_->take_made();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-    editing_->take_clouds();
+    editing_->take_made();
   }
   void edit(const std::function<void(scene::Scene&)>& change, Edit edit = Edit::done) {
     change(state_.scene);

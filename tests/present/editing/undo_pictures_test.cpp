@@ -183,11 +183,11 @@ class UndoPicturesTest : public test::GlTest {
   /// Once all clouds are made.
   std::vector<unsigned char> picture() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (sea_->clouds_progress() && std::chrono::steady_clock::now() < end) {
-      if (editing_) editing_->take_clouds();
+    while (sea_->is_making() && std::chrono::steady_clock::now() < end) {
+      if (editing_) editing_->take_made();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    if (editing_) editing_->take_clouds();
+    if (editing_) editing_->take_made();
     Camera camera = state_.camera.camera();
     camera.width_px = 96;
     camera.height_px = 64;
@@ -428,6 +428,30 @@ TEST_F(UndoLakePicturesTest, OfLakes) {
       editing_->remove_picked();
     });
   }
+}
+
+// Fails if an edit waits until its lake is filled, a lake comes up that was undone meanwhile, or one that
+// cannot be there stays in the scene.
+TEST_F(UndoLakePicturesTest, LakesAreFilledInTheBackground) {
+  put_lake();
+  EXPECT_TRUE(sea_->is_making());
+  EXPECT_TRUE(sea_->scene().lakes.empty()) << "it was waited for";
+  editing_->undo();
+  EXPECT_FALSE(sea_->is_making());
+  EXPECT_TRUE(picture() == untouched_);
+  editing_->redo();
+  EXPECT_FALSE(picture() == untouched_);
+  ASSERT_EQ(sea_->scene().lakes.size(), 1u);
+  const std::vector<unsigned char> full = picture();
+  const std::string before = text();
+  editing_->make([](scene::Scene& scene) {
+    scene.lakes.at(0).level_m = 1000.0;
+    return std::string();
+  });
+  EXPECT_TRUE(picture() == full);
+  EXPECT_TRUE(state_.message.is_fault);
+  EXPECT_NE(state_.message.text.find("lake 1: "), std::string::npos) << state_.message.text;
+  EXPECT_EQ(text(), before);
 }
 
 // Fails as above for presets, handles, keyframes, bookmarks and files.

@@ -333,7 +333,7 @@ WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& l
 void WindowTest::wait_for_clouds() {
   constexpr double longest_s = 60.0;
   const double end_s = glfwGetTime() + longest_s;
-  while (viewer_->sea().clouds_progress()) {
+  while (viewer_->sea().is_making()) {
     ASSERT_LT(glfwGetTime(), end_s) << "the clouds are never made";
     turn();
   }

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/base/work.h"
+#include "host/scene/model/scene.h"
+#include "host/world/world_terrain.h"
+
+namespace offing::present {
+
+/// Lakes of a scene, and what a world needs of them on this ground.
+struct SceneLakes {
+  std::vector<scene::LakeScene> lakes;
+  world::TerrainParameters terrain;  ///< with these lakes
+
+  /// Whether that ground is where it was.
+  bool are_on(const world::TerrainParameters& ground) const;
+};
+
+/// Fills the lakes of a scene in the background, as a basin can be large.
+class LakeFiller {
+ public:
+  ~LakeFiller() { stop(); }
+
+  /// The lakes of a scene on ground that has those of `before`. What was begun before is given up.
+  void begin(const scene::Scene& scene, std::vector<scene::LakeScene> before,
+             const world::TerrainParameters& terrain);
+  void stop();
+  bool is_busy() const { return filling_.valid(); }
+  /// Whether these lakes are being filled.
+  bool is_filling(const std::vector<scene::LakeScene>& lakes, const world::TerrainParameters& ground) const;
+  /// Once they are filled, what begin() asked for. Throws what scene::prepare_lakes() throws,
+  /// Error(out_of_memory).
+  std::optional<SceneLakes> take();
+
+ private:
+  SceneLakes wanted_;
+  std::unique_ptr<CancelToken> cancel_;
+  std::future<SceneLakes> filling_;
+};
+
+}  // namespace offing::present
