@@ -28,7 +28,7 @@ namespace {
 using present::ObjectKind;
 using present::SceneObject;
 
-/// One of each kind of object, with long names.
+/// One of each kind of object and list, with long names.
 constexpr const char* all_kinds = R"(version = 1
 [camera]
 y_m = 5
@@ -43,11 +43,15 @@ length_m = 24
 cells = 32
 history_s = 1
 [terrain]
-posts = 65
-side_m = 400
-mean_m = -12
-relief_m = 40
+file = "crater.asc"
 origin_z_m = -500
+[[terrain.material]]
+name = "black sand of the beaches"
+highest_m = 5
+[[lake]]
+name = "the lake in the crater"
+x_m = 0
+z_m = -340
 [[mesh]]
 name = "the hull of the ferry to the outer islands"
 shape = "ship"
@@ -100,6 +104,13 @@ class WindowScreensTest : public WindowTest, public testing::WithParamInterface<
     std::filesystem::create_directory(folder_.path() / "scenes");
     const std::string file = (folder_.path() / "scenes" / "harbour.toml").string();
     std::ofstream(file) << all_kinds;
+    std::ofstream map(folder_.path() / "scenes" / "crater.asc");
+    map << "ncols 9\nnrows 9\nxllcenter 0\nyllcenter 0\ncellsize 40\n";
+    for (int post = 0; post < 81; ++post) {
+      const int ring = std::max(std::abs(post / 9 - 4), std::abs(post % 9 - 4));
+      map << (ring > 2 ? -12 : 8 + 10 * ring) << (post % 9 == 8 ? '\n' : ' ');
+    }
+    map.close();
     present::ViewOptions options = quick_options();
     options.scene = scene::load_scene(file);
     options.scene_file = file;
@@ -235,6 +246,7 @@ TEST_P(WindowScreensTest, OfEachSelection) {
                                     {ObjectKind::sea, 0},
                                     {ObjectKind::wake, 0},
                                     {ObjectKind::terrain, 0},
+                                    {ObjectKind::lake, 0},
                                     {ObjectKind::cloud_layer, 0},
                                     {ObjectKind::cloud, 0},
                                     {ObjectKind::mesh, 0},
@@ -267,7 +279,13 @@ TEST_P(WindowScreensTest, OfEachDialog) {
   press("Escape");
   press_with_control("r");
   expect_readable("record");
-  press("Escape");
+  type("100000");
+  press("Return");
+  turn(2);
+  ASSERT_TRUE(viewer_->is_recording());
+  expect_readable("recording");
+  click(find(timeline(), "cancel##recording", 440));
+  while (viewer_->is_recording()) turn();
   click(find(main_panel(), "add##objects", 20));
   expect_readable("new objects");
   press("Escape");
