@@ -10,7 +10,7 @@ namespace offing::world {
 /// it is; of a map in tiles, the whole map as coarsely as its coarsest tiles have it. Land is no higher than
 /// the steepest bed falls between two posts; then slopes are limited (ocean::limit_slopes()). Throws what
 /// reading tiles throws.
-ocean::DepthMap sea_bed(const TerrainParameters& terrain, double sea_level_m = 0.0);
+ocean::DepthMap sea_bed(const TerrainParameters& terrain, double sea_level_m);
 
 /// The mean slope of the cells of a bed that the waterline crosses; 0 if there are none.
 double beach_slope(const ocean::DepthMap& bed);

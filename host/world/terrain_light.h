@@ -32,6 +32,6 @@ terrain::ReliefSettings relief_of(const CoverLines& lines, double strength);
 /// The light at the eye as terrain kernels take it, with air that is as dense at `sea_level_m` as an
 /// atmosphere is at the sea.
 TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
-                           const CoverLines& lines, double sea_level_m = 0.0);
+                           const CoverLines& lines, double sea_level_m);
 
 }  // namespace offing::world

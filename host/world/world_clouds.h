@@ -73,7 +73,7 @@ class WorldClouds {
   /// The same for the mirror image of an eye in the sea's level, for water that mirrors what it sees. Where
   /// no cloud sees eye and image more than 0.02 rad apart, the light is that to the eye itself. May wait for
   /// the light's box.
-  void see_mirrored(const Camera& mirrored, double plane_m = 0.0);
+  void see_mirrored(const Camera& mirrored, double plane_m);
 
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;

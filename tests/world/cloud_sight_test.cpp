@@ -21,7 +21,7 @@ TEST(WorldClouds, KeepsWhatTwoEyesSee) {
   view.at(0.0);
   const Camera above = camera_at({29'000.0, 1200.0, 100.0}), below = camera_at({29'000.0, -1200.0, 100.0});
   const auto seen_from = [&](const Camera& eye) {
-    eye.eye_m.y > 0.0 ? view.see(eye) : view.see_mirrored(eye);
+    eye.eye_m.y > 0.0 ? view.see(eye) : view.see_mirrored(eye, 0.0);
     float light = 0.0f;
     for (const CloudSprite& sprite : view.sprites().read()) light += sprite.green;
     std::vector<std::uint32_t> order = view.order().read();
@@ -118,7 +118,7 @@ TEST(WorldClouds, SendsAlikeEyesTheSameLight) {
   const auto light_to = [&](const glm::dvec3& eye_m, double tolerance_rad) {
     view.set_light_lag({.cloud_rad = tolerance_rad});
     view.see(camera_at(eye_m));
-    view.see_mirrored(camera_at({29'000.0, -1200.0, 100.0}));
+    view.see_mirrored(camera_at({29'000.0, -1200.0, 100.0}), 0.0);
     view.see(camera_at(eye_m));
     double light = 0.0;
     for (const CloudSprite& sprite : view.sprites().read()) light += sprite.green;
@@ -158,7 +158,7 @@ TEST(WorldClouds, SendsLightInParts) {
   view.set_light_lag({.cloud_rad = 1e-9, .cloud_parts = 3});
   const auto from_first = light_of(exact, first_m), from_then = light_of(exact, then_m);
   EXPECT_EQ(light_of(view, first_m), from_first);
-  view.see_mirrored(camera_at({29'000.0, -9000.0, 300.0}));
+  view.see_mirrored(camera_at({29'000.0, -9000.0, 300.0}), 0.0);
   for (std::size_t part = 1; part <= 3; ++part) {
     // The third of the two clouds' particles, rounded down, is new.
     const auto bound = static_cast<std::ptrdiff_t>(from_first.size() * part / 3);

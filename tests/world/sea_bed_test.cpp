@@ -44,7 +44,7 @@ double hills_m(double x_m, double z_m) {
 // Fails if a gentle bed is felt at another depth or place than it has: all posts are kept.
 TEST(SeaBed, IsTheGroundWhereItIsGentle) {
   const TerrainParameters terrain = terrain_of(200, 5.0, hills_m);
-  const ocean::DepthMap bed = sea_bed(terrain), raised = sea_bed(terrain, 3.0);
+  const ocean::DepthMap bed = sea_bed(terrain, 0.0), raised = sea_bed(terrain, 3.0);
   EXPECT_EQ(bed.columns, 200);
   int compared = 0;
   for (double x_m = -299.0; x_m < 600.0; x_m += 7.3) {
@@ -62,7 +62,7 @@ TEST(SeaBed, IsTheGroundWhereItIsGentle) {
 TEST(SeaBed, IsNowhereDeeperThanTheGround) {
   const auto steep_m = [](double x_m, double z_m) { return 3.0 * hills_m(7.0 * x_m, 5.0 * z_m); };
   const TerrainParameters terrain = terrain_of(2100, 1.0, steep_m);
-  const ocean::DepthMap bed = sea_bed(terrain);
+  const ocean::DepthMap bed = sea_bed(terrain, 0.0);
   EXPECT_EQ(bed.columns, 701);
   EXPECT_DOUBLE_EQ(bed.spacing_x_m, 3.0);
   std::mt19937_64 generator(4);
@@ -78,7 +78,7 @@ TEST(SeaBed, IsNowhereDeeperThanTheGround) {
 // Fails if a mountain keeps the sea calm for as far as it is high.
 TEST(SeaBed, MindsNoHeightOfLand) {
   const ocean::DepthMap bed =
-      sea_bed(terrain_of(50, 10.0, [](double x_m, double) { return x_m < 100.0 ? 900.0 : -80.0; }));
+      sea_bed(terrain_of(50, 10.0, [](double x_m, double) { return x_m < 100.0 ? 900.0 : -80.0; }), 0.0);
   EXPECT_NEAR(bed.depth_m(-300.0 + 105.0, 100.0), 2.5, 1e-4);
   EXPECT_NEAR(bed.depth_m(-300.0 + 200.0, 100.0), SHOAL_STEEPEST * 100.0, 5.1);
   EXPECT_LE(bed.depth_m(-300.0 + 89.0, 100.0), 0.0);

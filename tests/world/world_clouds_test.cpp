@@ -109,7 +109,7 @@ TEST(WorldClouds, SendsAnEyeCloseAboveTheSeaAndItsMirrorImageOneLight) {
     return read();
   };
   const auto mirrored = [&](double altitude_m) {
-    view.see_mirrored(camera_at({26'000.0, -altitude_m, 3000.0}));
+    view.see_mirrored(camera_at({26'000.0, -altitude_m, 3000.0}), 0.0);
     return read();
   };
   const auto equal = [](const std::vector<CloudSprite>& a, const std::vector<CloudSprite>& b) {
@@ -136,7 +136,7 @@ TEST(WorldClouds, LightInPartsArrivesBehindALowFlight) {
   constexpr int parts = 4;
   view.set_light_lag({.cloud_rad = 0.01, .cloud_parts = parts});
   const auto look = [](WorldClouds& from, double x_m, double altitude_m) {
-    from.see_mirrored(camera_at({x_m, -altitude_m, 3000.0}));
+    from.see_mirrored(camera_at({x_m, -altitude_m, 3000.0}), 0.0);
     const std::vector<CloudSprite> image = from.sprites().read();
     from.see(camera_at({x_m, altitude_m, 3000.0}));
     return std::pair(image, from.sprites().read());

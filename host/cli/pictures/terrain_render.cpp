@@ -70,7 +70,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
          std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m));
   const sky::Illuminance at_eye = sky.read_illuminance();
-  const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines);
+  // Maps have true altitudes: their sea is at 0.
+  const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines, 0.0);
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;
   std::optional<terrain::OpenSky> open_sky;

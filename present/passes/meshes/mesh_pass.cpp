@@ -101,7 +101,7 @@ PixelBox MeshPass::pixels(const world::World& world, const Camera& camera) const
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const world::WorldMesh& view = world.meshes()[i];
     if (!view.is_visible()) continue;
-    const MeshViewMatrices matrices(view, camera, capabilities_);
+    const MeshViewMatrices matrices(view, camera, capabilities_, MeshPart::all, world.sea_level_m());
     box = around(box, pixels_of(meshes_[i].geometry.low_m(), meshes_[i].geometry.high_m(), matrices, camera,
                                 1.0 + view.parameters().material.outline_px));
   }

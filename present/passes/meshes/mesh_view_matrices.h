@@ -26,7 +26,7 @@ struct MeshViewMatrices {
   double cut_m;        ///< height over the eye's below which nothing is drawn
 
   MeshViewMatrices(const world::WorldMesh& mesh, const Camera& camera, const GlCapabilities& capabilities,
-                   MeshPart part = MeshPart::all, double sea_level_m = 0.0);
+                   MeshPart part, double sea_level_m);
 
   /// As mesh_place.glsl reads them.
   glsl::MeshMatrices uniforms() const {

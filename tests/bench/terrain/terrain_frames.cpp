@@ -52,7 +52,7 @@ void bench_terrain_frames(const ocl::Device& device, const NamedMap& named, terr
         if (camera_way != way) continue;
         sky.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad)},
                std::max(0.0, camera.eye_m.y));
-        const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, {});
+        const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, {}, 0.0);
         const std::size_t pixels = terrain::pixel_count(camera);
         ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
         ocl::Buffer<terrain::Texel> image(device, pixels, "image");
