@@ -90,4 +90,11 @@ terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& e
   return look;
 }
 
+std::vector<terrain::LakeLook> looks_of_lakes(std::span<const LakeSettings> lakes, const glm::dvec3& eye_m,
+                                              double time_s, const sky::Illuminance& light, double sun_rise) {
+  std::vector<terrain::LakeLook> looks;
+  for (const LakeSettings& each : lakes) looks.push_back(look_of_lake(each, eye_m, time_s, light, sun_rise));
+  return looks;
+}
+
 }  // namespace offing::world

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -26,5 +28,8 @@ struct LakeSettings {
 /// Without wind the water is a mirror.
 terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& eye_m, double time_s,
                                const sky::Illuminance& light, double sun_rise);
+/// Those of all lakes, in their order.
+std::vector<terrain::LakeLook> looks_of_lakes(std::span<const LakeSettings> lakes, const glm::dvec3& eye_m,
+                                              double time_s, const sky::Illuminance& light, double sun_rise);
 
 }  // namespace offing::world

@@ -152,10 +152,8 @@ void WorldTerrain::look_at_lakes(const Camera& camera, const terrain::TerrainIll
   sky::Illuminance illuminance;
   illuminance.sun_klx = {klx.sun_red_klx, klx.sun_green_klx, klx.sun_blue_klx};
   illuminance.sky_klx = {klx.sky_red_klx, klx.sky_green_klx, klx.sky_blue_klx};
-  std::vector<terrain::LakeLook> looks;
-  for (const LakeSettings& each : parameters_.lakes)
-    looks.push_back(look_of_lake(each, camera.eye_m, time_s_, illuminance, light.sky.sun_direction_y));
-  lakes_->set_looks(looks);
+  lakes_->set_looks(
+      looks_of_lakes(parameters_.lakes, camera.eye_m, time_s_, illuminance, light.sky.sun_direction_y));
 }
 
 void WorldTerrain::set_level_discs(std::vector<terrain::LevelDisc> discs) {
@@ -216,10 +214,9 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
   hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.planes);
   if (!lakes_) return;
   if (field_) {
-    lakes_->stand_before(field_->device_field(terrain::CastMethod::parity),
-                         terrain::device_view(camera, field_->grid()), picture.hits, picture.planes);
+    lakes_->stand_before(*field_, camera, picture.hits, picture.planes);
   } else {
-    lakes_->stand_before(tiles_->device_field(), tiles_->device_view(camera), picture.hits, picture.planes);
+    lakes_->stand_before(*tiles_, camera, picture.hits, picture.planes);
   }
 }
 

@@ -72,8 +72,7 @@ class LakeScene {
     std::vector<float> distances_m;
     for (const TerrainHit& hit : hits.read()) distances_m.push_back(hit.distance_m);
     ocl::Buffer<float> planes(painter_->device(), distances_m, "distances");
-    layer_->stand_before(field.device_field(terrain::CastMethod::parity),
-                         terrain::device_view(camera, field.grid()), hits, planes);
+    layer_->stand_before(field, camera, hits, planes);
     return planes.read();
   }
 

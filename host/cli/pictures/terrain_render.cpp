@@ -88,20 +88,11 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   std::optional<terrain::CanopyLayer> canopy;
   if (scenery.canopy) look.canopy = &canopy.emplace(device, *scenery.canopy);
   if (lakes != nullptr) {
-    std::vector<terrain::LakeLook> looks;
-    for (const world::LakeSettings& each : scenery.lakes) {
-      looks.push_back(
-          world::look_of_lake(each, camera.eye_m, 0.0, at_eye, std::sin(scenery.sun_elevation_rad)));
-    }
-    lakes->set_looks(looks);
+    lakes->set_looks(
+        world::looks_of_lakes(scenery.lakes, camera.eye_m, 0.0, at_eye, std::sin(scenery.sun_elevation_rad)));
     look.lakes = lakes;
     ocl::Buffer<float> distances(device, picture.distances_m, "distances");
-    if constexpr (std::is_same_v<Field, terrain::HeightField>) {
-      lakes->stand_before(field.device_field(terrain::CastMethod::parity),
-                          terrain::device_view(camera, field.grid()), hits, distances);
-    } else {
-      lakes->stand_before(field.device_field(), field.device_view(camera), hits, distances);
-    }
+    lakes->stand_before(field, camera, hits, distances);
     picture.distances_m = distances.read();
   }
   terrain::TerrainShade shade(device);

@@ -8,6 +8,9 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
+#include "host/terrain/cast/image_rays.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/tiles/tiled_field.h"
 
 namespace offing::terrain {
 namespace {
@@ -90,6 +93,16 @@ void LakeLayer::set_looks(std::span<const LakeLook> looks) {
   if (waves.empty()) return;
   if (waves_.size() < waves.size()) waves_ = ocl::Buffer<LakeWave>(device_, waves.size(), "waves of lakes");
   waves_.write(waves);
+}
+
+void LakeLayer::stand_before(const HeightField& field, const Camera& camera,
+                             const ocl::Buffer<TerrainHit>& hits, ocl::Buffer<float>& distances_m) const {
+  stand_before(field.device_field(CastMethod::parity), device_view(camera, field.grid()), hits, distances_m);
+}
+
+void LakeLayer::stand_before(const TiledField& field, const Camera& camera,
+                             const ocl::Buffer<TerrainHit>& hits, ocl::Buffer<float>& distances_m) const {
+  stand_before(field.device_field(), field.device_view(camera), hits, distances_m);
 }
 
 void LakeLayer::stand_before(const TerrainField& field, const TerrainView& view,

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/camera.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
@@ -13,6 +14,9 @@
 #include "kernels/shared/terrain.h"
 
 namespace offing::terrain {
+
+class HeightField;
+class TiledField;
 
 /// What a lake looks like at one time, from one place.
 struct LakeLook {
@@ -35,10 +39,16 @@ class LakeLayer {
   const ocl::Buffer<LakeWave>& waves() const { return waves_; }
 
   /// Replaces the distances of a camera's hits [height_px][width_px] by those of lakes in front; enqueued.
-  void stand_before(const TerrainField& field, const TerrainView& view, const ocl::Buffer<TerrainHit>& hits,
+  void stand_before(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+                    ocl::Buffer<float>& distances_m) const;
+  /// The same with the tiles of the field's last look().
+  void stand_before(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
                     ocl::Buffer<float>& distances_m) const;
 
  private:
+  void stand_before(const TerrainField& field, const TerrainView& view, const ocl::Buffer<TerrainHit>& hits,
+                    ocl::Buffer<float>& distances_m) const;
+
   ocl::Device device_;
   ocl::Kernel planes_kernel_;
   std::vector<LakeWater> boxes_;  // with level and box alone
