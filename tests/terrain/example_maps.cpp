@@ -32,6 +32,15 @@ HeightMap square_map(int posts_a_side, double spacing_m,
               [&](int column, int row) { return height_m(spacing_m * column, spacing_m * row); });
 }
 
+terrain::TerrainPosts posts_of(const HeightMap& map) {
+  return {.columns = map.grid.columns,
+          .rows = map.grid.rows,
+          .spacing_x_m = map.grid.spacing_x_m,
+          .spacing_z_m = map.grid.spacing_z_m,
+          .height_m = [&map](int column, int row) { return map.at(column, row); },
+          .is_void = [](int, int) { return false; }};
+}
+
 HeightMap valleys(const terrain::PostGrid& grid) {
   return made("valleys", grid, [](int column, int row) {
     return 60.0 * std::sin(0.021 * column) * std::cos(0.017 * row + 0.004 * column) +

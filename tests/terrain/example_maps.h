@@ -8,6 +8,7 @@
 
 #include "host/terrain/cast/ray.h"
 #include "host/terrain/field/post_grid.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::test {
 
@@ -30,6 +31,9 @@ std::vector<HeightMap> example_maps();
 /// A square of so many posts a side, spaced alike; heights at metres from the first post.
 HeightMap square_map(int posts_a_side, double spacing_m,
                      const std::function<double(double x_m, double z_m)>& height_m);
+
+/// The posts of a map, which has to stay.
+terrain::TerrainPosts posts_of(const HeightMap& map);
 
 /// Heights from rolling hills, of any size.
 HeightMap valleys(const terrain::PostGrid& grid);

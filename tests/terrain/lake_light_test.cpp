@@ -39,15 +39,7 @@ class LakeScene {
       for (int column = 0; column < posts_a_side; ++column)
         map_.heights_m.push_back(static_cast<float>(height_m(spacing_m * column, spacing_m * row)));
     }
-    posts_ = {.columns = posts_a_side,
-              .rows = posts_a_side,
-              .spacing_x_m = spacing_m,
-              .spacing_z_m = spacing_m,
-              .height_m =
-                  [this](int column, int row) {
-                    return map_.heights_m[static_cast<std::size_t>(row * posts_a_side + column)];
-                  },
-              .is_void = [](int, int) { return false; }};
+    posts_ = test::posts_of(map_);
     lake_ = std::make_shared<const Lake>(terrain::fill_lake(posts_, 64.0, 64.0, level_m));
     painter_ = std::make_unique<test::TerrainPainter>(map_, painted);
     layer_ = std::make_unique<terrain::LakeLayer>(painter_->device(), std::vector{lake_});

@@ -19,12 +19,7 @@ namespace {
 void check(const ocl::Device& device, const test::HeightMap& map, int eyes) {
   terrain::HeightField field(device, map.grid, map.heights_m);
   terrain::ReliefSurface relief(device);
-  const terrain::TerrainPosts posts{.columns = map.grid.columns,
-                                    .rows = map.grid.rows,
-                                    .spacing_x_m = map.grid.spacing_x_m,
-                                    .spacing_z_m = map.grid.spacing_z_m,
-                                    .height_m = [&map](int column, int row) { return map.at(column, row); },
-                                    .is_void = [](int, int) { return false; }};
+  const terrain::TerrainPosts posts = test::posts_of(map);
   for (int i = 0; i < eyes; ++i) {
     const double x_m = (0.13 + 0.17 * i) * posts.width_m(), z_m = (0.87 - 0.19 * i) * posts.depth_m();
     const double above_m = i == 2 ? 40.0 : 1.7 + i;

@@ -41,15 +41,6 @@ test::HeightMap rolling_map() {
   return test::valleys({.columns = 90, .rows = 75, .spacing_x_m = 12.0, .spacing_z_m = 15.0});
 }
 
-terrain::TerrainPosts posts_of(const test::HeightMap& map) {
-  return {.columns = map.grid.columns,
-          .rows = map.grid.rows,
-          .spacing_x_m = map.grid.spacing_x_m,
-          .spacing_z_m = map.grid.spacing_z_m,
-          .height_m = [&map](int column, int row) { return map.at(column, row); },
-          .is_void = [](int, int) { return false; }};
-}
-
 terrain::Lake largest_lake(const terrain::TerrainPosts& posts) {
   terrain::Lake largest;
   for (int row = 3; row < posts.rows - 3; row += 3) {
@@ -86,7 +77,7 @@ class ReliefSurfaceTest : public testing::Test {
   void compare_posts(const ReliefSettings& how);
 
   test::HeightMap map_ = rolling_map();
-  terrain::TerrainPosts posts_ = posts_of(map_);
+  terrain::TerrainPosts posts_ = test::posts_of(map_);
   ocl::Device device_ = ocl::Device::open();
   terrain::HeightField field_{device_, map_.grid, map_.heights_m};
   ReliefSurface relief_{device_};
