@@ -1,7 +1,7 @@
 // ground_dump FILE: rays and pictures of a small map through every kernel of the terrain, on the device that
 // the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the pictures'
 // light: plain, and with a colour map over half of the ground, shares of the sky and automatic sampling;
-// then a viewshed, a lake and materials, ground with relief, and rays and pictures of a map in tiles.
+// then a viewshed, a lake and materials, ground with relief, woods, and rays and pictures of a map in tiles.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -12,6 +12,7 @@
 
 #include "host/terrain/analysis/viewshed.h"
 #include "host/terrain/lakes/lake.h"
+#include "host/terrain/shading/canopy.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "tests/ocl/dump_program.h"
 #include "tests/terrain/example_tiles.h"
@@ -49,18 +50,25 @@ ColourMap coloured_squares() {
   return map;
 }
 
+/// What lies on the ground of a picture; nullptr: nothing.
+struct Layers {
+  const terrain::ReliefSurface* relief = nullptr;
+  const terrain::LakeLayer* lakes = nullptr;
+  const terrain::CanopyLayer* canopy = nullptr;
+};
+
 template <class Field>
 void dump_image(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump,
-                const terrain::ReliefSurface* relief = nullptr, const terrain::LakeLayer* lakes = nullptr) {
+                const Layers& layers = {}) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
-  if (relief == nullptr) {
+  if (layers.relief == nullptr) {
     field.cast(camera, hits);
     field.cast(camera, distances_m);
     for (const float distance_m : distances_m.read()) dump.add_distance(static_cast<double>(distance_m));
   } else {
-    field.cast(camera, *relief, hits);
+    field.cast(camera, *layers.relief, hits);
     for (const TerrainHit& hit : hits.read()) dump.add_distance(static_cast<double>(hit.distance_m));
   }
   TerrainLight light{};
@@ -85,18 +93,20 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
   terrain::TerrainShade shade(device);
   const terrain::ColourLayer colours(device, coloured_squares());
   std::optional<terrain::OpenSky> open_sky;
-  terrain::TerrainAppearance rich{.sampling = {}, .colours = &colours, .relief = relief};
+  terrain::TerrainAppearance rich{
+      .sampling = {}, .colours = &colours, .canopy = layers.canopy, .relief = layers.relief};
   const terrain::MaterialLayer materials(
       device, std::vector<terrain::Material>{
                   {.like = terrain::MaterialLike::scree, .colour = {0.3, 0.2, 0.1}, .share = 0.5},
                   {.highest_m = 20.0, .edge_m = 5.0, .gentlest_rad = 0.4}});
-  if (lakes != nullptr) {
-    rich.lakes = lakes;
+  if (layers.lakes != nullptr) {
+    rich.lakes = layers.lakes;
     rich.materials = &materials;
   }
   if constexpr (std::is_same_v<Field, terrain::HeightField>) rich.open_sky = &open_sky.emplace(device, field);
   for (const terrain::TerrainAppearance& look :
-       {terrain::TerrainAppearance{.sampling = {.rays = 1}, .relief = relief}, rich}) {
+       {terrain::TerrainAppearance{.sampling = {.rays = 1}, .canopy = layers.canopy, .relief = layers.relief},
+        rich}) {
     shade.at(field, camera, hits, {light, sky, view_table}, image, look);
     for (const Texel& texel : image.read()) {
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
@@ -147,7 +157,7 @@ void dump_lake(const ocl::Device& device, terrain::HeightField& field, const tes
   dump_image(
       device, field,
       {.eye_m = middle_m + glm::dvec3(0.0, 40.0, 60.0), .pitch_rad = -0.5, .width_px = 21, .height_px = 11},
-      dump, nullptr, &lakes);
+      dump, {.lakes = &lakes});
 }
 
 /// Distances and light of ground with relief, on a map so fine that it has one level of few posts.
@@ -160,7 +170,25 @@ void dump_relief(const ocl::Device& device, Dump& dump) {
   terrain::ReliefSurface relief(device);
   relief.at(field, camera, 2.0, {.strength = 2.0, .tree_line_m = -100.0, .snow_line_m = 1000.0});
   if (!relief.is_laid()) throw Error(ErrorKind::bad_usage, "the dump has no relief", "take a coarser map");
-  dump_image(device, field, camera, dump, &relief);
+  dump_image(device, field, camera, dump, {.relief = &relief});
+}
+
+/// Light of woods, with crowns near and far: by rules, and by a map of their cover.
+void dump_woods(const ocl::Device& device, terrain::HeightField& field, Dump& dump) {
+  const terrain::Canopy by_rules{.lowest_m = -30.0,
+                                 .highest_m = 60.0,
+                                 .edge_m = 10.0,
+                                 .steepest_rad = 1.2,
+                                 .share = 0.6,
+                                 .patch_m = 100.0};
+  terrain::Canopy by_map{.height_m = 25.0};
+  by_map.map = terrain::cover_map(coloured_squares());
+  for (const terrain::Canopy& wood : {by_rules, by_map}) {
+    const terrain::CanopyLayer canopy(device, wood);
+    dump_image(device, field,
+               {.eye_m = {200.0, 130.0, 440.0}, .pitch_rad = -0.4, .width_px = 21, .height_px = 11}, dump,
+               {.canopy = &canopy});
+  }
 }
 
 void dump_viewshed(const ocl::Device& device, const terrain::HeightField& field, Dump& dump) {
@@ -214,6 +242,7 @@ void write_dump(const char* path) {
   dump_viewshed(device, field, dump);
   dump_lake(device, field, map, dump);
   dump_relief(device, dump);
+  dump_woods(device, field, dump);
   dump_tiles(device, dump);
   dump.finish();
 }
