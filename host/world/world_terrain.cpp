@@ -279,8 +279,10 @@ void WorldTerrain::mirror_at(const Camera& mirrored, double plane_m, const sky::
   if (!is_mirrored_) return;
   mirrored_.fit(device_, mirrored);
   mirrored_cast_.at(*field_, mirrored, plane_m, mirrored_.hits);
+  terrain::TerrainAppearance look = look_of({.rays = 1}, {});
+  look.woods = terrain::WoodsShape::even;
   shade_.at(*field_, mirrored, mirrored_.hits, {light.light, sky.params(), sky.view_table(), light.clouds},
-            mirrored_.image, look_of({.rays = 1}, {}));
+            mirrored_.image, look);
   hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.planes);
 }
 

@@ -19,10 +19,11 @@ typedef struct {
   int map_columns, map_rows, map_levels;
   float map_left, map_top;
   float map_a_cell_x, map_a_cell_z;
+  int stands;  // 1: rays hit crowns; 0: the ground is seen through even woods
 } TerrainCanopy;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainCanopy) == 68, "no padding");
+static_assert(sizeof(TerrainCanopy) == 72, "no padding");
 #endif
 
 #endif

@@ -10,6 +10,9 @@
 #ifdef LAKES
 #include "terrain/lakes/lake_light.clh"
 #endif
+#ifdef CANOPY
+#include "terrain/canopy/crown_hits.clh"
+#endif
 
 // In [0, 1): the bits of a number mirrored at the point. In floats, because compilers make of whole numbers a bit reversal
 // that Oclgrind 21.10 does not know.
@@ -50,11 +53,14 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
+#ifdef CANOPY
+    if (scenery->canopy.params.stands != 0) on_ground = crowns_before(scenery, rays, sample_rad, on_ground);
+#endif
 #ifdef LAKES
     on_ground.is_hit &= shown_with_lakes(scenery, rays, on_ground);
     Colours seen = light_with_lakes(scenery, rays, on_ground).seen;
 #else
-    on_ground.is_hit &= shown_by_height(scenery->look, ray_setup.ray, t_m);
+    on_ground.is_hit &= shown_by_height(scenery->look, rays, on_ground.t_m);
     Colours seen = terrain_light(scenery, rays, on_ground).seen;
 #endif
     const int_lanes is_sea = meets_sea_beyond(scenery, rays, on_ground.is_hit);

@@ -6,12 +6,36 @@
 //      terrain/open_sky.cl, materials (shared/terrain_materials.h): of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
 //      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh. With CANOPY a canopy of
 //      shared/terrain_canopy.h and its map, as colours: where it has none, anything.
+// Inout: hits, where CANOPY has crowns that stand before them: those of these.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
 #include "terrain/image_rays.clh"
 #ifdef LAKES
 #include "terrain/lakes/lake_light.clh"
+#endif
+#ifdef CANOPY
+#include "terrain/canopy/crown_hits.clh"
+
+// Writes those of a block that are of crowns.
+INLINE void write_crowns(TerrainHits terrain, TerrainView view, int column, int row, __global TerrainHit *hits) {
+  float places[4][LANES];
+  int cells[2][LANES];
+  store_lanes(terrain.raised_m, places[0]);
+  store_lanes(terrain.t_m, places[1]);
+  store_lanes(terrain.u, places[2]);
+  store_lanes(terrain.v, places[3]);
+  store_lanes(terrain.cell_x, cells[0]);
+  store_lanes(terrain.cell_z, cells[1]);
+  for (int lane = 0; lane < LANES; ++lane) {
+    const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
+    if (places[0][lane] == 0.0f || x >= view.width_px || y >= view.height_px) continue;
+    __global TerrainHit *hit = hits + (size_t)y * view.width_px + x;
+    const TerrainHit crown = {places[1][lane], TERRAIN_SURFACE, cells[0][lane], cells[1][lane], places[2][lane],
+                              places[3][lane], 0.0f,            1.0f,           0.0f,           hit->steps};
+    *hit = crown;
+  }
+}
 #endif
 
 INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, lanes ray_rad, int column, int row) {
@@ -43,7 +67,7 @@ INLINE lanes turned(int cell, float fraction, lanes way, int cells) {
 #endif
 
 __kernel void terrain_shade(__global const float *restrict heights_m, __global const float *restrict maxima_m,
-                            TerrainField field, TerrainView view, __global const TerrainHit *restrict hits,
+                            TerrainField field, TerrainView view, __global TerrainHit *restrict hits,
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
@@ -78,6 +102,12 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       const lanes ray_rad = seen_rad(field, view, rays);
       TerrainHits terrain = terrain_hits(hits, view, ray_rad, column, row);
+#ifdef CANOPY
+      if (canopy.stands != 0) {
+        terrain = crowns_before(&scenery, rays, ray_rad, terrain);
+        write_crowns(terrain, view, column, row, hits);
+      }
+#endif
 #ifdef LAKES
       terrain.is_hit &= shown_with_lakes(&scenery, rays, terrain);
 #else

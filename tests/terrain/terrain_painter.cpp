@@ -60,7 +60,7 @@ TerrainPainter::TerrainPainter(const HeightMap& map, const PaintedTerrain& scene
 
 std::vector<Texel> TerrainPainter::draw(const Camera& camera, terrain::TerrainAppearance look) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
-  ocl::Buffer<TerrainHit> hits(device_, pixels, "hits");
+  ocl::Buffer<TerrainHit>& hits = hits_.emplace(device_, pixels, "hits");
   ocl::Buffer<Texel> image(device_, pixels, "image");
   const std::vector<terrain::Ray> down{{.origin_m = camera.eye_m}};
   if (relief_settings_.strength > 0.0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "host/ocl/buffer.h"
@@ -30,6 +31,8 @@ class TerrainPainter {
   void show_relief(const terrain::ReliefSettings& settings) { relief_settings_ = settings; }
   /// [height_px][width_px] (r, g, b, coverage).
   std::vector<terrain::Texel> draw(const Camera& camera, terrain::TerrainAppearance look);
+  /// Of the last picture [height_px][width_px].
+  std::vector<TerrainHit> hits() const { return hits_->read(); }
   const ocl::Device& device() const { return device_; }
   const terrain::HeightField& field() const { return field_; }
   double refined_share() const { return shade_.refined_share(); }
@@ -43,6 +46,7 @@ class TerrainPainter {
   TerrainLight light_;
   SkyParams sky_;
   ocl::Buffer<terrain::Texel> view_table_;
+  std::optional<ocl::Buffer<TerrainHit>> hits_;
 };
 
 }  // namespace offing::test

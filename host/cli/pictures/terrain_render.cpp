@@ -64,7 +64,7 @@ double above_ground_m(Field& field, const Camera& camera) {
 template <class Field>
 void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
                 const TerrainScenery& scenery, const terrain::ReliefSurface& relief,
-                const ocl::Buffer<TerrainHit>& hits, terrain::LakeLayer* lakes, TerrainRender& picture) {
+                ocl::Buffer<TerrainHit>& hits, terrain::LakeLayer* lakes, TerrainRender& picture) {
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
@@ -138,13 +138,13 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
   if (!settings.lakes.empty()) lakes.emplace(device, settings.lakes);
   relief.at(field, camera, above_ground_m(field, camera), settings, lakes ? &*lakes : nullptr);
   field.cast(camera, relief, hits_on_device);
-  const std::vector<TerrainHit> hits = hits_on_device.read();
   TerrainRender picture;
-  picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
-  for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
+  picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * width * height)};
   if (show == TerrainShow::light) {
     draw_light(device, field, camera, scenery, relief, hits_on_device, lakes ? &*lakes : nullptr, picture);
   }
+  const std::vector<TerrainHit> hits = hits_on_device.read();
+  for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];
     if (show == TerrainShow::steps) {

@@ -50,7 +50,9 @@ template <class Launch>
 void with_extras(const TerrainAppearance& look, const Launch& launch) {
   const auto with_woods = [&](const auto&... others) {
     if (look.canopy != nullptr) {
-      launch(others..., look.canopy->params(), look.canopy->texels());
+      TerrainCanopy params = look.canopy->params();
+      params.stands = look.woods == WoodsShape::crowns ? 1 : 0;
+      launch(others..., params, look.canopy->texels());
     } else {
       launch(others...);
     }
@@ -85,7 +87,7 @@ TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
           ocl::Program::build(device_, "terrain/terrain_refine.cl", defines).kernel("terrain_refine")};
 }
 
-void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+void TerrainShade::at(const HeightField& field, const Camera& camera, ocl::Buffer<TerrainHit>& hits,
                       const TerrainIllumination& light, ocl::Buffer<Texel>& image,
                       const TerrainAppearance& look) {
   std::optional<Kernels>& kernels = map_kernels_[variant(look)];
@@ -99,7 +101,7 @@ void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl:
         camera, hits, light, image, look);
 }
 
-void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+void TerrainShade::at(const TiledField& field, const Camera& camera, ocl::Buffer<TerrainHit>& hits,
                       const TerrainIllumination& light, ocl::Buffer<Texel>& image,
                       const TerrainAppearance& look) {
   if (look.open_sky != nullptr) {
@@ -113,7 +115,7 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
 }
 
 void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, const Camera& camera,
-                         const ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light,
+                         ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light,
                          ocl::Buffer<Texel>& image, const TerrainAppearance& look) {
   const Sampling& sampling = look.sampling;
   require_valid(sampling);

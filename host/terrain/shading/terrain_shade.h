@@ -60,6 +60,12 @@ struct SeaOverTerrain {
   double above_m = 1e30;   ///< highest ground that is seen
 };
 
+/// How pictures show woods.
+enum class WoodsShape {
+  crowns,  ///< rays hit crowns
+  even,    ///< rays hit the ground under them, which is as bright as the wood is in the mean
+};
+
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
 struct TerrainAppearance {
   Sampling sampling = {};
@@ -69,6 +75,7 @@ struct TerrainAppearance {
   const LakeLayer* lakes = nullptr;          ///< nullptr: none
   const MaterialLayer* materials = nullptr;  ///< over the cover by height and slope; nullptr: none
   const CanopyLayer* canopy = nullptr;       ///< woods over all of these; nullptr: none
+  WoodsShape woods = WoodsShape::crowns;
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
   const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
@@ -83,15 +90,15 @@ class TerrainShade {
 
   /// Enqueues the image [height_px][width_px] (r, g, b, coverage) of what the camera sees, kcd/m2 in linear
   /// Rec.709, premultiplied by the coverage, the share of a pixel's rays that hit: what is behind shines
-  /// through with 1 - coverage. `hits` are those of HeightField::cast() for the same camera. Throws
-  /// Error(bad_usage) for buffers that hold fewer, Error(bad_input) for a sampling out of range, and what
-  /// device_view() and programs throw.
-  void at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+  /// through with 1 - coverage. `hits` are those of HeightField::cast() for the same camera; where crowns of
+  /// woods stand before them, they become those of the crowns. Throws Error(bad_usage) for buffers that hold
+  /// fewer, Error(bad_input) for a sampling out of range, and what device_view() and programs throw.
+  void at(const HeightField& field, const Camera& camera, ocl::Buffer<TerrainHit>& hits,
           const TerrainIllumination& light, ocl::Buffer<Texel>& image, const TerrainAppearance& look = {});
 
   /// The same for the tiles of the field's last look(). Throws Error(bad_usage) for a look with shares of the
   /// sky, which are those of a HeightField.
-  void at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+  void at(const TiledField& field, const Camera& camera, ocl::Buffer<TerrainHit>& hits,
           const TerrainIllumination& light, ocl::Buffer<Texel>& image, const TerrainAppearance& look = {});
 
   /// Waits for the share of pixels of the last at() that got rays of their own.
@@ -109,7 +116,7 @@ class TerrainShade {
   };
   Kernels build(const ocl::Defines& defines) const;
   void paint(const Kernels& kernels, const SeenTerrain& terrain, const Camera& camera,
-             const ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light, ocl::Buffer<Texel>& image,
+             ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light, ocl::Buffer<Texel>& image,
              const TerrainAppearance& look);
 
   ocl::Device device_;
