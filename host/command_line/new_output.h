@@ -34,8 +34,8 @@ void require_file_name(const std::string& output);
 /// file that cannot be written.
 void require_new(const std::string& output, Existing existing, const GivenInputs& inputs = {});
 
-/// What there is of the frames of a sequence, or of every `step`-th. Their folder is listed once, so that the
-/// number of frames does not matter.
+/// The files that frames of a sequence, or every `step`-th of them, would replace. Frames in one folder cost
+/// one listing of it, however many they are.
 std::vector<std::filesystem::path> existing_frames(const FrameName& names, FrameRange frames, int step = 1);
 
 /// require_new() for a file a frame, or for every `step`-th alone.

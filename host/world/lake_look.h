@@ -28,7 +28,7 @@ struct LakeSettings {
 /// Without wind the water is a mirror.
 terrain::LakeLook look_of_lake(const LakeSettings& settings, const glm::dvec3& eye_m, double time_s,
                                const sky::Illuminance& light, double sun_rise);
-/// Those of all lakes, in their order.
+/// look_of_lake() of each lake, in the same order.
 std::vector<terrain::LakeLook> looks_of_lakes(std::span<const LakeSettings> lakes, const glm::dvec3& eye_m,
                                               double time_s, const sky::Illuminance& light, double sun_rise);
 

@@ -30,7 +30,7 @@ INLINE int_lanes is_near_view(TerrainView view, lanes x_m, lanes y_m, lanes z_m,
   return mask_of(right_m <= beside_m * sqrt(1.0f + right * right)) & mask_of(up_m <= beside_m * sqrt(1.0f + up * up));
 }
 
-// What covers the ground, by its parts of the relief's height.
+// How much of the relief's height each cover of the ground has.
 typedef struct {
   lanes turf, stones, rock, sand;
 } ReliefParts;
@@ -84,12 +84,12 @@ INLINE lanes octave_value(StepPlaces places, int octave) {
   return NOISE_SCALE * between(layers[0], layers[1], share_z);
 }
 
-// The share of an octave of noise that is left so far away.
+// How much of an octave is left at this distance.
 INLINE lanes octave_share(float cell_m, lanes distance_m) {
   return 1.0f - smoothstep((lanes)(FULL_CELLS * cell_m), (lanes)(LAST_CELLS * cell_m), distance_m);
 }
 
-// Materials of the scene over other parts: their patches are those that are seen, as far as posts can have them.
+// Lays the scene's materials over other parts. Their patches are those of the light, as fine as posts can show them.
 INLINE ReliefParts under_materials(ReliefParts parts, Materials materials, NoisePlaces places, GroundPlaces place,
                                    lanes distance_m, float least_m) {
   const lanes none = (lanes)0.0f;

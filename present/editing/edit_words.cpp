@@ -23,7 +23,7 @@ using scene::ElementIndex;
 using scene::Parameter;
 using scene::Scene;
 
-// What brings others with it comes first: a body has meshes and wakes.
+// Objects that bring others with them come first: a body has meshes and wakes.
 constexpr std::array listed_kinds{
     ObjectKind::body,    ObjectKind::mesh, ObjectKind::cloud_layer, ObjectKind::cloud, ObjectKind::light,
     ObjectKind::terrain, ObjectKind::lake, ObjectKind::sea,         ObjectKind::wake,  ObjectKind::bookmark};
@@ -34,7 +34,7 @@ bool is_same_in(const Parameter& row, const Scene& one, ElementIndex in_one, con
                               scene::struct_at(&other, *row.section, in_other));
 }
 
-/// The first object of a kind that `scene` has and `other`, which has fewer of them, has not.
+/// The first object of a kind that `scene` has and `other` lacks. `other` has fewer of this kind.
 SceneObject missing_object(const Scene& scene, const Scene& other, ObjectKind kind) {
   const std::size_t count = count_of(other, kind);
   const scene::ParameterGroup group = groups_of(kind).front();
@@ -48,7 +48,7 @@ SceneObject missing_object(const Scene& scene, const Scene& other, ObjectKind ki
   return {kind, index};
 }
 
-/// What objects came or went; empty if there are as many of each kind as before.
+/// Which object came or went; empty if there are as many of each kind as before.
 std::string words_of_objects(const Scene& before, const Scene& after) {
   for (const ObjectKind kind : listed_kinds) {
     const std::size_t count = count_of(before, kind), count_after = count_of(after, kind);
@@ -68,7 +68,7 @@ std::string section_words(const scene::Section& section) {
   return words;
 }
 
-/// The object, or else the panel, that a row's value is found in.
+/// The name of the object, or else of the panel, that shows a row's value.
 std::string owner_of(const Scene& scene, const Parameter& row, ElementIndex element) {
   const scene::Section* listed = row.section->is_repeated() ? row.section : row.section->repeated_parent();
   if (listed == nullptr) return std::ranges::find(group_panels(), row.group, &GroupPanel::group)->title;

@@ -6,8 +6,8 @@
 
 namespace offing::present {
 
-/// What an edit between two scenes did, in a few words: "Wind: speed", "add boat". Moves of the camera are no
-/// edits.
+/// What the edit that made `after` of `before` did, in a few words: "Wind: speed", "add boat". Camera moves
+/// are not edits.
 std::string edit_words(const scene::Scene& before, const scene::Scene& after);
 
 }  // namespace offing::present

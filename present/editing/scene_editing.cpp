@@ -34,7 +34,7 @@ glm::dvec2 place_of(const scene::BodyScene& body) {
   return {body.x_m, body.z_m};
 }
 
-/// Whether water may be elsewhere.
+/// Whether an edit may have changed where water is.
 bool have_other_ground(const scene::Scene& before, const scene::Scene& after) {
   return !after.bodies.empty() &&
          (before.terrain.is_given != after.terrain.is_given || before.sea_level_m() != after.sea_level_m() ||
@@ -80,7 +80,7 @@ std::optional<glm::dvec2> nearest_water_m(LiveSea& sea, const scene::Scene& scen
   return {};
 }
 
-/// Moves a body that new ground has covered to water, unless lines hold it; what there is to say of it.
+/// Moves a body that an edit has put on land to water, unless mooring lines hold it. Returns the news of it.
 std::string move_body_to_water(LiveSea& sea, scene::Scene& scene, std::size_t body) {
   const std::string name = label_of(scene, {ObjectKind::body, body});
   const std::optional<std::size_t> hull = hull_of_body(scene, body);
@@ -91,7 +91,7 @@ std::string move_body_to_water(LiveSea& sea, scene::Scene& scene, std::size_t bo
   const glm::dvec2 way_m = *place_m - place_of(scene.bodies[body]);
   push_value(scene, "body.x_m", {body, 0}, std::round(way_m.x));
   push_value(scene, "body.z_m", {body, 0}, std::round(way_m.y));
-  return fmt::format("{} would be on land: moved {:.0f} m, to the nearest water", name, glm::length(way_m));
+  return fmt::format("{} would be on land: moved {:.0f} m to the nearest water", name, glm::length(way_m));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class SceneEditing {
   std::uint64_t edits() const { return edits_; }
   bool can_undo() const { return history_.can_undo(); }
   bool can_redo() const { return history_.can_redo(); }
-  /// What they would take back or do again; empty: nothing.
+  /// What undo() would take back, and redo() would do again; empty: nothing.
   std::string undo_words() const { return history_.undo_words(); }
   std::string redo_words() const { return history_.redo_words(); }
   void undo();
@@ -72,7 +72,7 @@ class SceneEditing {
   void apply(Edit edit);
   bool edit_sea(Edit edit);
   void move_to_water();
-  /// To the scene of an edit before or after; `news` says which.
+  /// Shows the scene of the edit before or after, if there is one, and `news` as the message.
   void go_back(std::optional<scene::Scene> scene, const std::string& news);
   /// The scene is another one from here on; its camera stays the user's.
   void take_scene(scene::Scene scene);

@@ -33,7 +33,7 @@ class SceneHistory {
  private:
   struct Step {
     scene::Scene scene;
-    std::string words;  // of the edit between it and the next scene, or the one before
+    std::string words;  // of the edit that left this scene (before_) or led to it (after_)
   };
 
   scene::Scene now_;

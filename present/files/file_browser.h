@@ -39,15 +39,15 @@ struct FileEntry {
   std::string name;  ///< without its folder
   bool is_folder = false;
   std::uintmax_t bytes = 0;                      ///< of a file
-  std::filesystem::file_time_type written = {};  ///< last
+  std::filesystem::file_time_type written = {};  ///< when it was last written
 };
 
-/// By what a FileBrowser sorts files: by their names, the largest first, or those written last first.
+/// How a FileBrowser sorts: by name, the largest first, or the newest first.
 enum class FileOrder { name, size, time };
 
 /// "1.2 MB".
 std::string shown_size(std::uintmax_t bytes);
-/// "2026-11-28 14:05", local.
+/// "2026-11-28 14:05", in local time.
 std::string shown_time(std::filesystem::file_time_type time);
 
 /// The contents of one folder, as a file dialog shows them: ".." and folders first, then the files that the

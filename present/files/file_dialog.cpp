@@ -24,7 +24,7 @@ std::string shown_entry(const FileEntry& entry) {
   return entry.is_folder ? entry.name + "/" : entry.name;
 }
 
-/// Where size and time begin, right of the left edge of a list of that width; 0: there is no room for them.
+/// Where the columns of size and time begin, from the left edge of a list; 0 if it is too narrow for them.
 struct EntryColumns {
   float size_px = 0.0f, time_px = 0.0f;
 };
@@ -38,7 +38,7 @@ EntryColumns entry_columns(float width) {
   return size_px < least_name_em * em ? EntryColumns{} : EntryColumns{size_px, time_px};
 }
 
-/// In the line of a row of the list, over the end of a name that is too long.
+/// Size and time in the row of the last item, over the end of a name that is too long.
 void draw_facts(const FileEntry& entry, const EntryColumns& columns) {
   if (columns.size_px <= 0.0f || entry.name == "..") return;
   const ImVec2 low = ImGui::GetItemRectMin();
@@ -201,7 +201,7 @@ void FileDialog::draw_folder() {
   go_to(browser_.at(folder_text_));
 }
 
-/// In the place of the folder: Enter makes it, Esc leaves it.
+/// A field for the name of a new folder, in place of the path. Enter makes the folder, Esc gives up.
 void FileDialog::draw_new_folder() {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("new folder");
@@ -223,7 +223,7 @@ void FileDialog::draw_new_folder() {
   }
 }
 
-/// Above the list: what it can be sorted by.
+/// Buttons above the list, which sort it.
 void FileDialog::draw_head() {
   const EntryColumns columns = entry_columns(ImGui::GetContentRegionAvail().x);
   const float left = ImGui::GetCursorPosX();

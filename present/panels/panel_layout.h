@@ -60,8 +60,8 @@ class PanelLayout {
   float next_low_px_ = 0.0f, next_low_left_px_ = 0.0f, next_timeline_px_ = 0.0f, next_right_begin_px_ = 0.0f;
 };
 
-/// Help on the last item while the mouse is over it: beside its panel, where it covers none of the panel's
-/// names, or where that has no room below or above the item.
+/// Shows help on the last item while the mouse is over it: beside its panel, so that it covers none of the
+/// panel's names, or below or above the item if there is no room beside the panel.
 void explain_item(std::string_view help);
 
 /// A button that is to be drawn next stays in the line of the last one, unless it leaves the panel there.

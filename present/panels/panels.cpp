@@ -295,7 +295,7 @@ void draw_action(const char* label, const char* key, ViewAction action, PanelEdi
   explain_item(key);
 }
 
-/// One that says what it would do next.
+/// A button whose tooltip also says what it would do next.
 void draw_step(const char* label, const char* key, ViewAction action, const std::string& words,
                PanelEdits& edits) {
   stay_in_line(label);

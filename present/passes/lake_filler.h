@@ -16,7 +16,7 @@ struct SceneLakes {
   std::vector<scene::LakeScene> lakes;
   world::TerrainParameters terrain;  ///< with these lakes
 
-  /// Whether that ground is where it was.
+  /// Whether they were filled on this ground, in this place.
   bool are_on(const world::TerrainParameters& ground) const;
 };
 
@@ -25,14 +25,14 @@ class LakeFiller {
  public:
   ~LakeFiller() { stop(); }
 
-  /// The lakes of a scene on ground that has those of `before`. What was begun before is given up.
+  /// Fills the lakes of a scene on ground that may have those of `before` already. Stops an earlier filling.
   void begin(const scene::Scene& scene, std::vector<scene::LakeScene> before,
              const world::TerrainParameters& terrain);
   void stop();
   bool is_busy() const { return filling_.valid(); }
   /// Whether these lakes are being filled.
   bool is_filling(const std::vector<scene::LakeScene>& lakes, const world::TerrainParameters& ground) const;
-  /// Once they are filled, what begin() asked for. Throws what scene::prepare_lakes() throws,
+  /// What begin() asked for, once all lakes are filled. Throws what scene::prepare_lakes() throws, and
   /// Error(out_of_memory).
   std::optional<SceneLakes> take();
 

@@ -125,7 +125,7 @@ std::map<std::string_view, double> LiveSea::computed_values() const {
 
 void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
-  // All but clouds and new lakes is shown at once.
+  // All except clouds and new lakes is shown at once.
   scene::take_values(scene::all_but_clouds, scene, next_);
   if (scene::has_lakes_to_fill(scene_, next_))
     next_.lakes = scene::is_other_ground(scene_, next_) ? std::vector<scene::LakeScene>() : scene_.lakes;
@@ -157,7 +157,7 @@ void LiveSea::show_clouds(BuiltClouds built) {
   warn();
 }
 
-/// Those that are wanted and not shown.
+/// Begins to fill lakes that are wanted and not shown.
 void LiveSea::fill_lakes(Haste haste) {
   if (!scene::has_lakes_to_fill(scene_, wanted_)) return lakes_.stop();
   const world::TerrainParameters& ground = *world_->parameters().terrain;
@@ -175,7 +175,7 @@ bool LiveSea::take_lakes() {
     change([&] { world_->set_terrain(terrain); });
     scene_.lakes = next_.lakes = std::move(filled->lakes);
   }
-  // What was wanted while they were filled.
+  // What was edited while they were filled.
   if (scene::differ_in(scene::all_but_clouds, scene_, wanted_))
     begin_edit(scene::Scene(wanted_), Haste::let_finish);
   return true;

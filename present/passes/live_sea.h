@@ -49,8 +49,8 @@ class LiveSea {
   /// Shows another scene as a fresh start with it would, on the same device: nothing of the one before goes
   /// on. Throws what making a world throws, Error(cancelled) where the token says so.
   void open(const scene::Scene& scene);
-  /// Changes the scene, making anew only what differs. Clouds that differ are made in the background, and so
-  /// are lakes, of which the last ones stay until then if the ground does.
+  /// Changes the scene, making anew only what differs. Clouds and lakes that differ are made in the
+  /// background. Until then the previous ones are shown, but no lakes if the ground has changed.
   void begin_edit(const scene::Scene& scene, Haste haste);
   /// Shows clouds and lakes that have been made since; whether there were any. Throws what making them has
   /// thrown: the world and its scene are as they were, but wanted() is not shown then.

@@ -57,12 +57,12 @@ void RecordActions::make_folder(const Recording& recording) {
   if (std::filesystem::create_directory(folder, failure)) made_folder_ = folder;
   if (failure) {
     throw Error(ErrorKind::file,
-                fmt::format("{}: cannot be made: {}", one_line(folder.string()), failure.message()),
+                fmt::format("{}: cannot create the folder: {}", one_line(folder.string()), failure.message()),
                 "choose another name or folder");
   }
 }
 
-/// Nothing was written into it.
+/// The folder that was made for pictures, if none were written.
 void RecordActions::remove_empty_folder() {
   std::error_code has_files;
   if (!made_folder_.empty()) std::filesystem::remove(made_folder_, has_files);

@@ -45,7 +45,7 @@ class RecordActions {
   RecordDialog dialog_;
   std::optional<RecordingRequest> last_;  // what was recorded last
   std::unique_ptr<RecordingJob> job_;
-  std::filesystem::path made_folder_;  // for its pictures; empty: none
+  std::filesystem::path made_folder_;  // for the recording's pictures; empty: none
 };
 
 }  // namespace offing::present

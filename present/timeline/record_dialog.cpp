@@ -144,7 +144,7 @@ void RecordDialog::draw_name() {
   ImGui::InputText("name", &request_.name);
   if (!is_video(request_.format)) {
     ImGui::Checkbox("in a folder of this name", &request_.has_folder);
-    explain_item("pictures go into a new folder, not beside other files");
+    explain_item("keeps pictures apart from other files; the folder is made if there is none");
   }
   try {
     const Recording recording = recording_of(request_);

@@ -32,7 +32,7 @@ std::vector<HeightMap> example_maps();
 HeightMap square_map(int posts_a_side, double spacing_m,
                      const std::function<double(double x_m, double z_m)>& height_m);
 
-/// The posts of a map, which has to stay.
+/// The posts of a map, which has to outlive them.
 terrain::TerrainPosts posts_of(const HeightMap& map);
 
 /// Heights from rolling hills, of any size.

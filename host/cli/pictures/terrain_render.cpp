@@ -70,7 +70,7 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
          std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m));
   const sky::Illuminance at_eye = sky.read_illuminance();
-  // Maps have true altitudes: their sea is at 0.
+  // Heights of maps are measured from the sea level, 0.
   const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines, 0.0);
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;

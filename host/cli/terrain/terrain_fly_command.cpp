@@ -138,7 +138,7 @@ FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, d
   const TerrainScenery scenery;
   sky_.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
           std::max(0.0, first.eye_m.y));
-  // Maps have true altitudes: their sea is at 0.
+  // Heights of maps are measured from the sea level, 0.
   light_ = world::terrain_light(sky_.read_illuminance(), atmosphere_, world::cover_lines(latitude_deg), 0.0);
 }
 

@@ -52,7 +52,7 @@ struct CloudLookScene {
   bool operator==(const CloudLookScene&) const = default;
 };
 
-/// Whether a cloud, or those of a layer, are shown and throw shadows.
+/// Whether a cloud, or the clouds of a layer, are shown and cast shadows.
 enum class CloudVisibility { off, on };
 
 /// How a cloud moves; what is absent is as the genus has it.

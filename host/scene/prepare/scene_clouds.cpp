@@ -161,7 +161,8 @@ std::vector<CloudParameters> layer_clouds(const Scene& scene, std::size_t index)
   }
 }
 
-/// Of a hidden cloud, which keeps its place among the others: always the same object.
+/// The particles of a hidden cloud, which keeps its place in the list. Always the same object, which tells
+/// hidden clouds from others.
 const RestingParticles& no_particles() {
   static const RestingParticles none = std::make_shared<const std::vector<CloudParticle>>();
   return none;
@@ -240,7 +241,7 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene, Clou
     }
   }
   const std::ptrdiff_t hidden = std::ranges::count(sky.particles, no_particles());
-  // Layers that cover nothing, or all are hidden.
+  // No cloud is left: all are hidden, or layers cover nothing.
   if (hidden == std::ssize(sky.clouds)) return std::nullopt;
   return sky;
 }

@@ -189,7 +189,7 @@ std::string place_of_lake(const Scene& scene, std::size_t index) {
   return fmt::format("lake {}", index + 1);
 }
 
-/// The lakes of a scene on its ground. Those of `before` are `known`.
+/// The lakes of a scene on its ground. Those of `before` are filled already: they are `known`.
 std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::TerrainParameters& terrain,
                                           std::span<const LakeScene> before,
                                           const std::vector<world::LakeSettings>& known, const Work& work) {

@@ -13,17 +13,17 @@ namespace offing::scene {
 
 /// The ground of a scene, with its height map read or made; nothing where it has none. Throws
 /// Error(bad_input) that names the place in the scene for a file that is not there, what
-/// read_height_map() and FractalTerrain throw, and Error(cancelled) where the work is to stop while lakes are
+/// read_height_map() and FractalTerrain throw, and Error(cancelled) if `work` is cancelled while lakes are
 /// filled.
 std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene, const Work& work = {});
 
-/// The lakes of a scene on its ground, which may have those of `before` already. Throws Error(bad_input) that
-/// names the place in the scene for a lake that cannot be there, and Error(cancelled) where the work is to
-/// stop.
+/// The lakes of a scene on this ground. The ground may have the lakes of `before`: those that stay are not
+/// filled again. Throws Error(bad_input) that names the place in the scene for a lake that cannot be there,
+/// and Error(cancelled) if `work` is cancelled.
 std::vector<world::LakeSettings> prepare_lakes(const Scene& scene, const world::TerrainParameters& terrain,
                                                std::span<const LakeScene> before, const Work& work);
 
-/// Whether both lakes have the same water over the same ground.
+/// Whether two lakes on the same ground cover the same part of it.
 bool are_filled_alike(const LakeScene& one, const LakeScene& other);
 /// Whether an edit changes the heights of the ground or where they are.
 bool is_other_ground(const Scene& before, const Scene& after);

@@ -39,7 +39,7 @@ struct ReliefSettings {
   double tree_line_m = 2000.0, snow_line_m = 2800.0;  ///< m; stones lie above the first
   std::vector<LevelDisc> discs = {};
   std::vector<std::shared_ptr<const Lake>> lakes = {};  ///< at whose shores relief ends as at shore_m
-  std::vector<Material> materials = {};                 ///< whose relief is theirs
+  std::vector<Material> materials = {};                 ///< of the scene; each has its relief
 
   bool operator==(const ReliefSettings&) const = default;
 };
@@ -94,7 +94,7 @@ class ReliefSurface {
   ocl::Buffer<LakeWater> no_lakes_;
   ocl::Buffer<std::uint8_t> no_cells_;
   std::vector<Material> laid_materials_;
-  MaterialLayer materials_;  // these, or one of no use
+  MaterialLayer materials_;  // these, or an unused one if there are none
   TerrainRelief params_{};
 };
 

@@ -47,7 +47,7 @@ struct LandscapeLines {
 /// The materials of a landscape, in the order in which they are laid.
 std::vector<Material> materials_of(Landscape landscape, const LandscapeLines& lines);
 
-/// As kernels have them, in their order.
+/// Materials as kernels read them, in the same order.
 std::vector<TerrainMaterial> device_materials(std::span<const Material> materials);
 
 /// Materials on a device, in their order. Later ones lie over earlier ones.

@@ -51,7 +51,7 @@ double noise_at(const glm::dvec3& place, std::uint32_t seed) {
   return scale * sum;
 }
 
-/// Of what covers the ground, parts of the relief's height.
+/// How much of the relief's height each cover of the ground has.
 struct ReliefParts {
   double turf = 1.0, stones = 0.0, rock = 0.0, sand = 0.0;
 
@@ -85,13 +85,13 @@ double octave_at(const glm::dvec3& place, unsigned octave) {
   return noise_at(place / std::ldexp(4.0, static_cast<int>(octave)), 0x9e3779b9u * octave);
 }
 
-/// The share of an octave that is left so far away.
+/// How much of an octave is left at this distance.
 double octave_share(unsigned octave, double distance_m) {
   return 1.0 - smooth_step(16.0 * cell_m_of(octave), 26.0 * cell_m_of(octave), distance_m);
 }
 
-/// Noise of deviation 1 and variance that is not seen, by which materials have patches (terrain_cover.clh);
-/// its finest range is not seen at all.
+/// The noise that shapes patches of materials (terrain_cover.clh), of deviation 1 but for the variance that
+/// is too small to be seen. Nothing of its finest range is seen.
 struct PatchNoise {
   double broad = 0.0, patch = 0.0, patch_lost = 1.0;
 };
@@ -99,7 +99,7 @@ struct PatchNoise {
 PatchNoise patch_noise(const glm::dvec3& steps, const glm::dvec3& place, double distance_m, double least_m) {
   constexpr unsigned first_patch = 6;
   constexpr double patch_octaves = TERRAIN_RELIEF_OCTAVES - first_patch;
-  // Level noise is noise in space through its lattice's points, but for its deviation.
+  // Level noise is noise in space, cut through points of its lattice, but its deviation is another one.
   constexpr double level_scale = 0.1906 / 0.1761;
   PatchNoise noise;
   for (const unsigned cell_log2 : {13u, 15u, 17u}) {

@@ -44,10 +44,10 @@ class OverlayPainter {
 /// Draws the handles of a sphere.
 void draw_object_handles(const OverlayPainter& painter, const Screen& screen, const Sphere& sphere,
                          HandleSet handles);
-/// Help on the one that the mouse is over.
+/// Shows help on the handle under the mouse.
 void explain_object_handle(const OverlayPainter& painter, const Screen& screen, const Sphere& sphere,
                            HandleSet handles);
-/// Help on a handle beside the mouse; none while a hand holds something, or over a panel.
+/// Shows help on a handle beside the mouse, but not while a mouse button is held or over a panel.
 void explain_handle(const std::string& help);
 
 }  // namespace offing::present

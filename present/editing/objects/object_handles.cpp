@@ -157,8 +157,8 @@ std::vector<ObjectHandlePlace> object_handle_places(const Screen& screen, const 
 
 std::string handle_help(ObjectHandle handle) {
   constexpr std::array<const char*, 3> axes{"x (east)", "y (up)", "z (south)"};
-  constexpr std::array<const char*, 3> planes{"y and z", "x and z, level", "x and y"};
-  if (handle == ObjectHandle::free) return "drag: move along the picture\nCtrl: in steps";
+  constexpr std::array<const char*, 3> planes{"y and z", "x and z (level)", "x and y"};
+  if (handle == ObjectHandle::free) return "drag: move in the plane of the picture\nCtrl: in steps";
   if (handle == ObjectHandle::radius || handle == ObjectHandle::side) return "drag: resize\nCtrl: in steps";
   const auto axis = static_cast<std::size_t>(axis_of(handle));
   if (handle >= ObjectHandle::turn_x)

@@ -1,4 +1,4 @@
-// What undo and redo say that they take back.
+// The words by which undo and redo name edits.
 #include "present/editing/edit_words.h"
 
 #include <functional>
@@ -49,11 +49,13 @@ void set(scene::Scene& scene, const char* key, const char* text, scene::ElementI
   scene::store(scene, row, scene::read_flag_value(row, text), {.subject = key}, element);
 }
 
-// Fails if values are not named as panels and the list of objects name them, or the wrong object is.
+// Fails if values are not named as panels and the list of objects name them, or the wrong object is named.
 TEST(EditWordsTest, NameValues) {
   EXPECT_EQ(words_of_edit([](scene::Scene&) {}), "no change");
   EXPECT_EQ(words_of_edit([](scene::Scene& scene) { set(scene, "wind.speed_mps", "3"); }), "Wind: speed");
-  EXPECT_EQ(words_of_edit([](scene::Scene& scene) { set(scene, "cloud.y_m", "3", {1, 0}); }),
+  EXPECT_EQ(words_of_edit([](scene::Scene& scene) {
+              set(scene, "cloud.y_m", "3", {1, 0});
+            }),
             "cloud 2: y (up)");
   EXPECT_EQ(words_of_edit([](scene::Scene& scene) { set(scene, "mesh.highlight.rotation_deg", "3"); }),
             "hull, highlight 1: rotation");
@@ -76,7 +78,7 @@ TEST(EditWordsTest, NameValues) {
             "buoy: yaw (keyframes)");
 }
 
-// Fails if what comes with an object is named in its place, or the object that is behind a deleted one.
+// Fails if an edit is named after what comes with an object, or after the object behind a deleted one.
 TEST(EditWordsTest, NameObjects) {
   const auto removed = [](const SceneObject& object) {
     return words_of_edit([&](scene::Scene& scene) { remove_object(scene, object); });
@@ -89,14 +91,16 @@ TEST(EditWordsTest, NameObjects) {
               duplicate_object(scene, {ObjectKind::body, 0}, {20.0, 0.0, 0.0});
             }),
             "add boat 2");
-  EXPECT_EQ(words_of_edit([](scene::Scene& scene) { rename_object(scene, {ObjectKind::mesh, 1}, "mark"); }),
+  EXPECT_EQ(words_of_edit([](scene::Scene& scene) {
+              rename_object(scene, {ObjectKind::mesh, 1}, "mark");
+            }),
             "mark: name");
   const scene::Parameter& swell = *scene::find_parameter("ocean.swell.direction_deg");
   EXPECT_EQ(words_of_edit([&](scene::Scene& scene) { scene::append_element(scene, swell, {}); }),
             "add swell");
 }
 
-// The eye moves between edits. Fails if an edit is named by that, or edits of its path are not named.
+// Fails if an edit is named after a move of the eye, or edits of the eye's path are not named.
 TEST(EditWordsTest, LeaveOutTheEye) {
   EXPECT_EQ(words_of_edit([](scene::Scene& scene) {
               scene.view.camera.eye_m.x += 4.0;

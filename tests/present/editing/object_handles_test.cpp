@@ -56,7 +56,7 @@ TEST(ObjectHandlesTest, HelpSaysWhatEachDoes) {
   for (const ObjectHandle handle : mesh_handles()) helps.insert(handle_help(handle));
   EXPECT_EQ(helps.size(), mesh_handles().size());
   EXPECT_EQ(handle_help(ObjectHandle::y), "drag: move along y (up)\nCtrl: in steps");
-  EXPECT_EQ(handle_help(ObjectHandle::plane_y), "drag: move along x and z, level\nCtrl: in steps");
+  EXPECT_EQ(handle_help(ObjectHandle::plane_y), "drag: move along x and z (level)\nCtrl: in steps");
   EXPECT_EQ(handle_help(ObjectHandle::turn_z), "drag: turn about z (south)\nCtrl: in steps of 15 degrees");
 }
 

@@ -174,8 +174,8 @@ TEST_F(SceneEditingTest, TheLastCloudMayGo) {
   picture();
 }
 
-// Fails if the picture of a hidden cloud is not that without it, a hidden cloud can be picked, or undo does
-// not show it again.
+// Fails if a picture with a hidden cloud is not the one without the cloud, a hidden cloud can be picked, or
+// undo does not show it again.
 TEST_F(SceneEditingTest, HiddenCloudsAreNotThere) {
   const std::vector<unsigned char> both = picture();
   edit([](scene::Scene& scene) { scene.clouds[0].visible = scene::CloudVisibility::off; });

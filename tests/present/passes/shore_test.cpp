@@ -128,7 +128,7 @@ TEST_F(ShoreTest, WavesThatBreakHaveFoam) {
 }
 
 // Fails if any pixel of a washed beach has no light or more than white foam in the sun. Before, foam of the
-// swash grew beyond all numbers just above its edge: black pixels.
+// swash grew without bound just above its edge: black pixels.
 TEST_F(ShoreTest, LightOfTheSwashIsFinite) {
   // From the sea, where the water's grid is coarse.
   Camera camera = square_camera({0.0, 4.0, -150.0});

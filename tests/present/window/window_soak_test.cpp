@@ -197,8 +197,8 @@ class ScenesSoakTest : public WindowSoakTest {
     return holdings_as_at_start();
   }
 
-  /// The least memory of some measurements: what nobody can give back, without what the panels, the undo
-  /// steps and the sizes of pictures of the moment take, which is some 10 %.
+  /// The least memory of some measurements. It leaves out what panels, undo steps and sizes of pictures take
+  /// for a while, some 10 %.
   static double least_mb(std::span<const Holdings> measured) {
     return std::ranges::min(measured, {}, &Holdings::memory_mb).memory_mb;
   }

@@ -30,7 +30,7 @@ using test::PostSheet;
 constexpr terrain::LevelDisc disc{.x_m = 520.0, .z_m = 445.0, .radius_m = 12.0};
 const ReliefSettings settings{.shore_m = -20.0, .tree_line_m = 25.0, .snow_line_m = 5000.0, .discs = {disc}};
 
-// Of all kinds, in patches, between heights and between slopes of that map.
+// Materials of all kinds, in patches, between heights and between slopes of that map.
 const std::vector<terrain::Material> materials{
     {.like = terrain::MaterialLike::sand, .roughness = 1.5, .highest_m = 20.0, .edge_m = 15.0},
     {.like = terrain::MaterialLike::scree, .roughness = 0.7, .share = 0.6},
@@ -73,7 +73,7 @@ class ReliefSurfaceTest : public testing::Test {
     return hits.read();
   }
 
-  /// Of posts below an eye that sees them, relief on the device and in double precision.
+  /// Relief of posts below an eye that sees them, on the device and in double precision.
   void compare_posts(const ReliefSettings& how);
 
   test::HeightMap map_ = rolling_map();
