@@ -19,7 +19,7 @@ typedef struct {
   int map_columns, map_rows, map_levels;
   float map_left, map_top;
   float map_a_cell_x, map_a_cell_z;
-  int stands;  // 1: rays hit crowns; 0: the ground is seen through even woods
+  int stands;  // 1: rays hit crowns; 0: the ground has the mean light of the wood
 } TerrainCanopy;
 
 #ifndef __OPENCL_VERSION__

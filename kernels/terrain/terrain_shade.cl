@@ -6,7 +6,7 @@
 //      terrain/open_sky.cl, materials (shared/terrain_materials.h): of none of these, anything. With LAKES count lakes of shared/lakes.h, their cells and waves. With
 //      RELIEF, relief, relief_m and relief_maxima_m of terrain/relief.clh. With CANOPY a canopy of
 //      shared/terrain_canopy.h and its map, as colours: where it has none, anything.
-// Inout: hits, where CANOPY has crowns that stand before them: those of these.
+// Inout: hits; with CANOPY, those behind crowns become hits of the crowns.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
@@ -17,7 +17,7 @@
 #ifdef CANOPY
 #include "terrain/canopy/crown_hits.clh"
 
-// Writes those of a block that are of crowns.
+// Writes the hits of a block that are of crowns.
 INLINE void write_crowns(TerrainHits terrain, TerrainView view, int column, int row, __global TerrainHit *hits) {
   float places[4][LANES];
   int cells[2][LANES];

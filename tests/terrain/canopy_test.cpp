@@ -192,9 +192,9 @@ double crown_m(double x_m, double z_m, double highest_m) {
   return highest;
 }
 
-// Fails if a ray goes through more of a crown than the steps of the walk leave out, 2 m, or if it hits one
+// Fails if a ray passes through more of a crown than the steps of the walk may skip, 2 m, or hits a crown
 // where there is none. Steps end within 0.13 m of the crown. From above, and from 12 m above the highest
-// crowns, where rays fly over many of them.
+// crowns, where rays pass over many of them.
 TEST_F(CanopyTest, RaysHitTheCrownsOfADoubleMarch) {
   make(0.0, 35.0);
   ColourMap white{

@@ -63,7 +63,7 @@ struct SeaOverTerrain {
 /// How pictures show woods.
 enum class WoodsShape {
   crowns,  ///< rays hit crowns
-  even,    ///< rays hit the ground under them, which is as bright as the wood is in the mean
+  even,    ///< rays hit the ground under them, which has the mean light of the wood
 };
 
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
@@ -91,7 +91,7 @@ class TerrainShade {
   /// Enqueues the image [height_px][width_px] (r, g, b, coverage) of what the camera sees, kcd/m2 in linear
   /// Rec.709, premultiplied by the coverage, the share of a pixel's rays that hit: what is behind shines
   /// through with 1 - coverage. `hits` are those of HeightField::cast() for the same camera; where crowns of
-  /// woods stand before them, they become those of the crowns. Throws Error(bad_usage) for buffers that hold
+  /// woods stand in front, they become hits of the crowns. Throws Error(bad_usage) for buffers that hold
   /// fewer, Error(bad_input) for a sampling out of range, and what device_view() and programs throw.
   void at(const HeightField& field, const Camera& camera, ocl::Buffer<TerrainHit>& hits,
           const TerrainIllumination& light, ocl::Buffer<Texel>& image, const TerrainAppearance& look = {});
