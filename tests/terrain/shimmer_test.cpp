@@ -1,5 +1,6 @@
 // Thirty-two frames on foot and in flight: what the ground's pictures change by from frame to frame, beside
-// what 64 rays a pixel change by. Fails if they shimmer.
+// what 64 rays a pixel change by. Fails if they shimmer: if edges get too few rays, or noise is not filtered
+// over what pixels see.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -28,12 +29,20 @@ using terrain::Sampling;
 using terrain::Texel;
 
 constexpr int frames = 32;
-// Bound 0.08 of the mean light: a pixel with one ray differs from its mean by half of its contrast of 0.2 at
-// most, from frame to frame by 0.1 sqrt(2 / 3) on the mean if every pixel had as much and frames had nothing
-// to do with each other. Most have less contrast, and neighbouring frames see nearly the same. Found 0.0031
-// ... 0.0162; limit 0.022. And 0.8 of what one ray a pixel flickers by (found 0.51 ... 0.68), unless that is
-// less than half a percent: on the snow of the Andes' summit one ray is as still as many, 0.0046.
-constexpr double most_flicker = 0.022, most_of_one_ray = 0.8, still = 0.005;
+// Aliasing is what pictures change by from frame to frame beyond what 64 rays a pixel change by. It has two
+// limits, of which one is to be met.
+// - A share of the mean light. Bound 0.08: a pixel with one ray differs from its mean by half of its contrast
+//   of 0.2 at most, from frame to frame by 0.1 sqrt(2 / 3) on the mean if every pixel had as much and frames
+//   had nothing to do with each other. Most have less contrast, and neighbouring frames see nearly the same.
+//   Found 0.0026 ... 0.0129; limit 0.016.
+// - Where stones and edges pass the eye, a share of the movement: at most a tenth of its energy. Footprints
+//   leave 7 % of an octave's energy unexplained where its cells are as large as they are, 1 % where they are
+//   twice as large (terrain_noise.clh). Of an edge 16 rays leave 16^(-3/2), 2 %, where 4 rays leave 12 %.
+//   Found 0.092 on the Andes' summit with relief, whose 64 rays change by 0.08 of the light: 0.30 when
+//   edges of snow had 4 rays, 0.42 where noise is filtered over a quarter of its footprints.
+// And 0.8 of what one ray a pixel flickers by (found 0.20 ... 0.68), unless that is less than half a percent:
+// on the snow of the Andes' summit one ray is as still as many, 0.0046.
+constexpr double most_flicker = 0.016, most_of_movement = 0.1, most_of_one_ray = 0.8, still = 0.005;
 constexpr Sampling one_ray{.rays = 1}, automatic{}, many_rays{.rays = 64, .least_contrast = -1.0};
 
 /// A fifth of a picture of 1280 x 720 pixels and 60 degrees, with pixels as large, around the horizon.
@@ -140,7 +149,8 @@ void expect_stillness(const std::string& name, const HeightMap& map) {
         "%-20s %-4s change: 64 rays %.4f, automatic %.4f, one ray %.4f; beyond 64 rays: automatic %.4f, one "
         "ray %.4f\n",
         name.c_str(), way, of_many.change, found.change, of_one.change, found.flicker, of_one.flicker);
-    EXPECT_LE(found.flicker, most_flicker) << name << ", " << way;
+    EXPECT_LE(found.flicker, std::max(most_flicker, std::sqrt(most_of_movement) * of_many.change))
+        << name << ", " << way;
     EXPECT_LE(found.flicker, std::max(most_of_one_ray * of_one.flicker, still)) << name << ", " << way;
   }
 }

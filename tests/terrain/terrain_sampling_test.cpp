@@ -77,9 +77,9 @@ TEST(TerrainSamplingTest, CoversPixelsByTheirShareOfGround) {
 }
 
 // A pixel with one ray differs from its mean by half of what it differs from its neighbours at most, 0.1 of
-// its light; one with 4 rays by 4^(-3/4) of half their contrast of 0.8, 0.14; one with 16 by 16^(-3/4) of
+// its light; one with 4 rays by 4^(-3/4) of half their contrast of 0.6, 0.11; one with 16 by 16^(-3/4) of
 // half an edge, 0.06. Were all at their bounds the root mean square of 58 % with one ray and 42 % with more
-// would be 0.11: gate 0.1 (found: 0.038; one ray 0.093). In the mean such errors cancel to 0.063 /
+// would be 0.103: gate 0.1 (found: 0.037; one ray 0.093). In the mean such errors cancel to 0.063 /
 // sqrt(5184), but light of a mean slope, or of what covers it, is not the mean of light: gate 0.0098, which
 // is what was found, 0.0071, and three deviations. Fails if refined pixels are brighter or darker than
 // others, or if edges are missed.
