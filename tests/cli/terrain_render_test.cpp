@@ -56,6 +56,23 @@ TEST_F(TerrainRender, DrawsPictureAndDepth) {
   EXPECT_NEAR(depth_m[32], 40.0 / 0.8660, 0.4);
 }
 
+// A pit 20 m deep with 15 m of water, from straight above. Fails if the depth is that of the lake's bed, or
+// if a lake's distances are written where no memory is: once they were, of any picture of 1024 pixels.
+TEST_F(TerrainRender, DepthIsThatOfLakes) {
+  std::ofstream grid(path("grid.asc"));
+  grid << "ncols 21\nnrows 21\nxllcenter 0\nyllcenter 0\ncellsize 50\n";
+  for (int row = 0; row < 21; ++row) {
+    for (int column = 0; column < 21; ++column)
+      grid << (std::max(std::abs(row - 10), std::abs(column - 10)) < 5 ? "80 " : "100 ");
+    grid << "\n";
+  }
+  grid.close();
+  const ProgramResult result = render({"--camera", "500,140,500,0,-90", "--size", "65x65", "--relief", "0",
+                                       "--lake", "500,500,95", "--depth", path("depth.exr")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NEAR(read_exr(path("depth.exr")).channel("Z")[65 * 32 + 32], 45.0, 1e-3);
+}
+
 // Fails if an eye in the ground makes a picture of the ground's inside, without a word, or if one off the map
 // does so.
 TEST_F(TerrainRender, WarnsOfEyesInTheGroundAndOffTheMap) {

@@ -140,13 +140,15 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
   field.cast(camera, relief, hits_on_device);
   TerrainRender picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * width * height)};
+  for (const TerrainHit& hit : hits_on_device.read()) picture.distances_m.push_back(hit.distance_m);
   if (show == TerrainShow::light) {
     draw_light(device, field, camera, scenery, relief, hits_on_device, lakes ? &*lakes : nullptr, picture);
   }
+  // With crowns of woods, which light has found.
   const std::vector<TerrainHit> hits = hits_on_device.read();
-  for (const TerrainHit& hit : hits) picture.distances_m.push_back(hit.distance_m);
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];
+    picture.distances_m[pixel] = std::min(picture.distances_m[pixel], hit.distance_m);
     if (show == TerrainShow::steps) {
       const auto [red, green, blue] = terrain::step_colour(static_cast<float>(hit.steps));
       store(picture.image, pixel, {red, green, blue}, 0.0f);
