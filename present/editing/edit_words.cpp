@@ -112,8 +112,12 @@ std::string edit_words(const Scene& before, const Scene& after) {
   bool has_one_owner = true;
   for (const Parameter& row : scene::parameter_table()) {
     const std::vector<ElementIndex> elements = scene::elements_of(after, *row.section);
-    if (const std::size_t count = scene::elements_of(before, *row.section).size(); count != elements.size())
-      return fmt::format("{} {}", count < elements.size() ? "add" : "delete", section_words(*row.section));
+    const std::vector<ElementIndex> were = scene::elements_of(before, *row.section);
+    if (were.size() != elements.size())
+      return fmt::format("{} {}", were.size() < elements.size() ? "add" : "delete",
+                         section_words(*row.section));
+    // As many, but others: of clouds with other balls each.
+    if (were != elements) return fmt::format("change {}", section_words(*row.section));
     for (const ElementIndex element : elements) {
       const Difference differs = difference(before, after, row, element);
       if (differs == Difference::none) continue;

@@ -103,7 +103,9 @@ bool FileBrowser::go_to(const std::filesystem::path& folder) {
     if (!is_folder && !passes(filter_, entry->path())) continue;
     std::error_code unknown;
     const std::uintmax_t bytes = is_folder ? 0 : entry->file_size(unknown);
-    entries.push_back({name, is_folder, unknown ? 0 : bytes, entry->last_write_time(unknown)});
+    const std::uintmax_t known_bytes = unknown ? 0 : bytes;
+    const auto written = entry->last_write_time(unknown);
+    entries.push_back({name, is_folder, known_bytes, unknown ? std::filesystem::file_time_type{} : written});
   }
   std::ranges::sort(entries, {}, [this](const FileEntry& each) {
     const auto size = order_ == FileOrder::size ? each.bytes : 0;

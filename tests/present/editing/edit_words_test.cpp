@@ -100,6 +100,16 @@ TEST(EditWordsTest, NameObjects) {
             "add swell");
 }
 
+// Fails if clouds with other balls, but as many in all, are compared as if they had the same: beyond the end
+// of a list, once.
+TEST(EditWordsTest, NamePartsThatAreElsewhere) {
+  const std::string ball = "[[cloud.ball]]\nradius_m = 150\n", cloud = "[[cloud]]\ny_m = 900\n";
+  const auto scene = [&](const std::string& first, const std::string& second) {
+    return scene::parse_scene("version = 1\n" + cloud + first + cloud + second, "a.toml", "");
+  };
+  EXPECT_EQ(edit_words(scene(ball + ball, ball), scene(ball, ball + ball)), "change ball");
+}
+
 // Fails if an edit is named after a move of the eye, or edits of the eye's path are not named.
 TEST(EditWordsTest, LeaveOutTheEye) {
   EXPECT_EQ(words_of_edit([](scene::Scene& scene) {
