@@ -22,7 +22,7 @@
 #define TERRAIN_ROCK_SLOPES \
   0.06f, 0.08f, 0.11f, 0.15f, 0.19f, 0.22f, 0.24f, 0.24f, 0.22f, 0.18f, 0.14f, 0.11f, 0.09f
 #define TERRAIN_SAND_SLOPES \
-  0.085f, 0.075f, 0.065f, 0.075f, 0.083f, 0.058f, 0.042f, 0.036f, 0.03f, 0.02f, 0.02f, 0.02f, 0.02f
+  0.085f, 0.085f, 0.085f, 0.095f, 0.1f, 0.075f, 0.05f, 0.036f, 0.03f, 0.02f, 0.02f, 0.02f, 0.02f
 
 // The ground is as the map has it under what stands there: a disc about a place, beside which relief begins.
 typedef struct {

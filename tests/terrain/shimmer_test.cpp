@@ -34,11 +34,11 @@ constexpr int frames = 32;
 // - A share of the mean light. Bound 0.08: a pixel with one ray differs from its mean by half of its contrast
 //   of 0.2 at most, from frame to frame by 0.1 sqrt(2 / 3) on the mean if every pixel had as much and frames
 //   had nothing to do with each other. Most have less contrast, and neighbouring frames see nearly the same.
-//   Found 0.0026 ... 0.0129; limit 0.016.
+//   Found 0.0023 ... 0.0129; limit 0.016.
 // - Where stones and edges pass the eye, a share of the movement: at most a tenth of its energy. Footprints
 //   leave 7 % of an octave's energy unexplained where its cells are as large as they are, 1 % where they are
 //   twice as large (terrain_noise.clh). Of an edge 16 rays leave 16^(-3/2), 2 %, where 4 rays leave 12 %.
-//   Found 0.092 on the Andes' summit with relief, whose 64 rays change by 0.08 of the light: 0.30 when
+//   Found 0.084 on the Andes' summit with relief, whose 64 rays change by 0.08 of the light: 0.30 when
 //   edges of snow had 4 rays, 0.42 where noise is filtered over a quarter of its footprints.
 // And 0.8 of what one ray a pixel flickers by (found 0.20 ... 0.68), unless that is less than half a percent:
 // on the snow of the Andes' summit one ray is as still as many, 0.0046.

@@ -45,7 +45,7 @@ struct TerrainIllumination {
 
 /// Rays a pixel. All pixels get one. Those whose light differs from that of a neighbour by more than a share
 /// of the brighter one's luminance get a quarter of `rays` of their own instead, and all of them where it
-/// differs by three times as much or where the ground ends; they are spread evenly over the pixel. The light
+/// differs by 2.5 times as much or where the ground ends; they are spread evenly over the pixel. The light
 /// is that of ground without relief, and greyer: materials are filtered over the pixel as they are computed.
 struct Sampling {
   int rays = 16;                ///< 1 ... 4096; 1: no pixel gets more
