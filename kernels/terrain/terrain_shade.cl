@@ -29,7 +29,7 @@ INLINE void write_crowns(TerrainHits terrain, TerrainView view, int column, int 
   store_lanes(terrain.cell_z, cells[1]);
   for (int lane = 0; lane < LANES; ++lane) {
     const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
-    if (places[0][lane] == 0.0f || x >= view.width_px || y >= view.height_px) continue;
+    if (!(places[0][lane] > 0.0f) || x >= view.width_px || y >= view.height_px) continue;
     __global TerrainHit *hit = hits + (size_t)y * view.width_px + x;
     const TerrainHit crown = {places[1][lane], TERRAIN_SURFACE, cells[0][lane], cells[1][lane], places[2][lane],
                               places[3][lane], 0.0f,            1.0f,           0.0f,           hit->steps};

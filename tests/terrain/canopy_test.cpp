@@ -192,6 +192,22 @@ double crown_m(double x_m, double z_m, double highest_m) {
   return highest;
 }
 
+// From 20 km above a slope of 5 degrees, where pixels are larger than crowns: hits are those of the ground.
+// Fails if they lose its normal or their distance.
+TEST_F(CanopyTest, HitsOfTheGroundStay) {
+  make(std::tan(5.0 * radians_per_degree), 35.0);
+  const Camera above = camera(0.5 * side_m, 0.8 * side_m, 20e3, 90.0, 0.0);
+  const auto hits_with = [&](const std::optional<Canopy>& wood) {
+    draw(above, wood);
+    return painter_->hits();
+  };
+  const std::vector<TerrainHit> plain = hits_with({}), wooded = hits_with(Canopy{.share = 1.0});
+  for (std::size_t pixel = 0; pixel < plain.size(); ++pixel) {
+    ASSERT_EQ(wooded[pixel].distance_m, plain[pixel].distance_m) << pixel;
+    ASSERT_EQ(wooded[pixel].normal_x, plain[pixel].normal_x) << pixel;
+  }
+}
+
 // Fails if a ray passes through more of a crown than the steps of the walk may skip, 2 m, or hits a crown
 // where there is none. Steps end within 0.13 m of the crown. From above, and from 12 m above the highest
 // crowns, where rays pass over many of them.

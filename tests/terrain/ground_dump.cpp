@@ -63,12 +63,15 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
+  // Light of woods turns hits of the ground into hits of crowns.
+  const auto cast = [&] {
+    layers.relief == nullptr ? field.cast(camera, hits) : field.cast(camera, *layers.relief, hits);
+  };
+  cast();
   if (layers.relief == nullptr) {
-    field.cast(camera, hits);
     field.cast(camera, distances_m);
     for (const float distance_m : distances_m.read()) dump.add_distance(static_cast<double>(distance_m));
   } else {
-    field.cast(camera, *layers.relief, hits);
     for (const TerrainHit& hit : hits.read()) dump.add_distance(static_cast<double>(hit.distance_m));
   }
   TerrainLight light{};
@@ -107,6 +110,7 @@ void dump_image(const ocl::Device& device, Field& field, const Camera& camera, D
   for (const terrain::TerrainAppearance& look :
        {terrain::TerrainAppearance{.sampling = {.rays = 1}, .canopy = layers.canopy, .relief = layers.relief},
         rich}) {
+    cast();
     shade.at(field, camera, hits, {light, sky, view_table}, image, look);
     for (const Texel& texel : image.read()) {
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
