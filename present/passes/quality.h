@@ -57,7 +57,8 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
 inline constexpr std::array quality_levels{
     Quality{.most_wake_steps = wake_steps_of_frame, .light_lag = {.cloud_light_frames = 8}},
     coarser(1.0, 0.75, 0.75, 0),
-    coarser(0.85, 0.75, 0.5, 0),
+    coarser(1.0, 0.5, 0.5, 1),
+    coarser(0.85, 0.5, 0.5, 1),
     coarser(0.7, 0.5, 0.5, 1),
     coarser(0.6, 0.375, 0.3, 1),
     coarser(0.5, 0.375, 0.3, 1),
