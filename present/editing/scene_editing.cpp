@@ -243,18 +243,43 @@ void SceneEditing::take_other_edit(scene::Scene scene) {
 void SceneEditing::take_made() {
   try {
     sea_.take_made();
+  } catch (const UnmadePart& fault) {
+    take_out(fault_message(fault), [&](const scene::Scene& before, const scene::Scene& after) {
+      return fault.is_asked(before, after);
+    });
   } catch (const Error& error) {
-    const Message fault = fault_message(error);
-    // What failed is taken back. What is the last edit then may still have to be made, as it was given up for
-    // the one that failed.
-    if (is_last_noted_) history_.take_back();
+    take_out(fault_message(error), [](const auto&, const auto&) { return true; });
+  }
+}
+
+/// Takes out the last edit for which `is_it` is true of the scenes before and after it; without one the last.
+/// What came after it may still have to be made, as it was given up for the one that failed.
+void SceneEditing::take_out(const Message& fault, const UnmadePart::Asked& is_it) {
+  const bool is_held = !is_last_noted_;
+  const bool is_of_held = is_held && is_it(history_.now(), state_.scene);
+  auto edit = is_of_held ? std::nullopt : history_.take_out(is_it);
+  if (is_held && edit) {
+    take_out_below(*edit);
+  } else {
+    if (!is_held && !edit) history_.take_out([](const auto&, const auto&) { return true; });
     // As where the world refuses a value at once: a slider that is held is not to clear the message.
-    if (!is_last_noted_) state_.edit.fault = fault.text;
+    if (is_held) state_.edit.fault = fault.text;
     is_last_noted_ = true;
     take_other_edit(history_.now());
     edit_sea(Edit::refused);
-    state_.message = fault;
   }
+  state_.message = fault;
+}
+
+/// Takes an edit out of the scene that a hand is changing.
+void SceneEditing::take_out_below(const SceneHistory::Edit& edit) {
+  const std::optional<SceneObject> selected = selected_object(state_);
+  const std::size_t count = selected ? count_of(state_.scene, selected->kind) : 0;
+  scene::take_out_edit(edit.before, edit.after, state_.scene);
+  if (selected && count != count_of(state_.scene, selected->kind)) deselect_objects(state_);
+  forget_lost_picks(state_);
+  ++edits_;
+  edit_sea(Edit::going_on);
 }
 
 void SceneEditing::go_back(std::optional<scene::Scene> scene, const std::string& news) {

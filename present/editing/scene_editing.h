@@ -79,6 +79,8 @@ class SceneEditing {
   /// That of an edit before or after. Nothing stays selected whose list gets longer or shorter: its number
   /// may be another one's.
   void take_other_edit(scene::Scene scene);
+  void take_out(const Message& fault, const UnmadePart::Asked& is_it);
+  void take_out_below(const SceneHistory::Edit& edit);
   Sphere middle_of_terrain() const;
   void work(const std::function<Edit()>& change);
   /// Adds what `change` adds to a scene, and selects it.

@@ -1,7 +1,9 @@
 #include "present/editing/scene_history.h"
 
+#include <cstddef>
 #include <utility>
 
+#include "host/scene/schema/scene_elements.h"
 #include "present/editing/edit_words.h"
 
 namespace offing::present {
@@ -18,10 +20,22 @@ void SceneHistory::note(scene::Scene scene) {
   after_.clear();
 }
 
-void SceneHistory::take_back() {
-  if (before_.empty()) return;
-  now_ = std::move(before_.back().scene);
-  before_.pop_back();
+std::optional<SceneHistory::Edit> SceneHistory::take_out(
+    const std::function<bool(const scene::Scene&, const scene::Scene&)>& is_it) {
+  const auto after = [this](std::size_t step) -> scene::Scene& {
+    return step + 1 < before_.size() ? before_[step + 1].scene : now_;
+  };
+  for (std::size_t step = before_.size(); step-- > 0;) {
+    if (!is_it(before_[step].scene, after(step))) continue;
+    Edit edit{before_[step].scene, after(step)};
+    after(step) = edit.before;
+    for (std::size_t later = step + 1; later < before_.size(); ++later)
+      scene::take_out_edit(edit.before, edit.after, after(later));
+    for (Step& undone : after_) scene::take_out_edit(edit.before, edit.after, undone.scene);
+    before_.erase(before_.begin() + static_cast<std::ptrdiff_t>(step));
+    return edit;
+  }
+  return {};
 }
 
 std::optional<scene::Scene> SceneHistory::undo() {

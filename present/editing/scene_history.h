@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,17 @@ namespace offing::present {
 /// Scenes before and after edits, for undo and redo: a hundred steps back.
 class SceneHistory {
  public:
+  struct Edit {
+    scene::Scene before, after;
+  };
+
   explicit SceneHistory(scene::Scene scene) : now_(std::move(scene)) {}
 
   /// An edit has ended with this scene: what was undone before is gone.
   void note(scene::Scene scene);
-  /// The last edit that was noted was none: nothing is left of it, not even to redo.
-  void take_back();
+  /// The last edit for which this is true of the scenes before and after it was none: nothing is left of it,
+  /// not even to redo, while edits after it stay. Returns it, or nothing if there is none.
+  std::optional<Edit> take_out(const std::function<bool(const scene::Scene&, const scene::Scene&)>& is_it);
   /// The scene of the last edit that stands.
   const scene::Scene& now() const { return now_; }
   bool can_undo() const { return !before_.empty(); }

@@ -16,6 +16,8 @@ struct SceneLakes {
   std::vector<scene::LakeScene> lakes;
   world::TerrainParameters terrain;  ///< with these lakes
 
+  std::optional<double> sea_level_m;  ///< of a sea that they lie above
+
   /// Whether they were filled on this ground, in this place.
   bool are_on(const world::TerrainParameters& ground) const;
 };
@@ -30,14 +32,14 @@ class LakeFiller {
              const world::TerrainParameters& terrain);
   void stop();
   bool is_busy() const { return filling_.valid(); }
-  /// Whether these lakes are being filled.
-  bool is_filling(const std::vector<scene::LakeScene>& lakes, const world::TerrainParameters& ground) const;
+  /// Whether the lakes of this scene are those that begin() was asked for last.
+  bool is_asked_for(const scene::Scene& scene, const world::TerrainParameters& ground) const;
   /// What begin() asked for, once all lakes are filled. Throws what scene::prepare_lakes() throws, and
   /// Error(out_of_memory).
   std::optional<SceneLakes> take();
 
  private:
-  SceneLakes wanted_;
+  SceneLakes asked_;
   std::unique_ptr<CancelToken> cancel_;
   std::future<SceneLakes> filling_;
 };

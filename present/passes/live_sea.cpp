@@ -57,6 +57,7 @@ void LiveSea::make(const scene::Scene& scene, std::optional<FirstView> view) {
   }
   OpenedWorld opened = opening.take();
   lakes_.stop();
+  filled_lakes_.clear();
   if (const auto billboards = scene::own_billboards(scene)) frame->set_billboards(device_, *billboards);
   builder_ = std::move(opened.builder);
   world_ = std::move(opened.world);
@@ -127,6 +128,7 @@ void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
   // All except clouds and new lakes is shown at once.
   scene::take_values(scene::all_but_clouds, scene, next_);
+  if (!scene_.lakes.empty()) filled_lakes_ = scene_.lakes;
   if (scene::has_lakes_to_fill(scene_, next_))
     next_.lakes = scene::is_other_ground(scene_, next_) ? std::vector<scene::LakeScene>() : scene_.lakes;
   try {
@@ -161,19 +163,49 @@ void LiveSea::show_clouds(BuiltClouds built) {
 void LiveSea::fill_lakes(Haste haste) {
   if (!scene::has_lakes_to_fill(scene_, wanted_)) return lakes_.stop();
   const world::TerrainParameters& ground = *world_->parameters().terrain;
-  if (lakes_.is_busy() && (haste == Haste::let_finish || lakes_.is_filling(wanted_.lakes, ground))) return;
+  if (lakes_.is_busy() && (haste == Haste::let_finish || lakes_.is_asked_for(wanted_, ground))) return;
   lakes_.begin(wanted_, scene_.lakes, ground);
 }
 
+/// The edit to blame is the one that made the lake; where the lake was there before, the one that moved the
+/// ground or the sea below it.
+UnmadePart LiveSea::unmade_lakes(const Error& error) const {
+  using Lakes = std::vector<scene::LakeScene>;
+  const auto has = [](const Lakes& lakes, const scene::LakeScene& lake) {
+    return std::ranges::any_of(
+        lakes, [&](const scene::LakeScene& each) { return scene::are_filled_alike(each, lake); });
+  };
+  Lakes unmade;
+  if (const auto* fault = dynamic_cast<const scene::LakeError*>(&error)) {
+    for (const std::size_t lake : fault->lakes()) unmade.push_back(wanted_.lakes.at(lake));
+  } else {
+    unmade = wanted_.lakes;
+  }
+  std::erase_if(unmade, [&](const scene::LakeScene& lake) { return has(filled_lakes_, lake); });
+  return {error, [unmade, has](const scene::Scene& before, const scene::Scene& after) {
+            if (unmade.empty())
+              return scene::is_other_ground(before, after) || before.sea_level_m() != after.sea_level_m();
+            return std::ranges::any_of(unmade, [&](const scene::LakeScene& lake) {
+              return has(after.lakes, lake) && !has(before.lakes, lake);
+            });
+          }};
+}
+
 bool LiveSea::take_lakes() {
-  std::optional<SceneLakes> filled = lakes_.take();
-  if (!filled) return false;
-  const world::TerrainParameters& ground = *world_->parameters().terrain;
-  if (filled->are_on(ground)) {
-    world::TerrainParameters terrain = ground;
-    terrain.lakes = std::move(filled->terrain.lakes);
-    change([&] { world_->set_terrain(terrain); });
-    scene_.lakes = next_.lakes = std::move(filled->lakes);
+  try {
+    std::optional<SceneLakes> filled = lakes_.take();
+    if (!filled) return false;
+    const world::TerrainParameters& ground = *world_->parameters().terrain;
+    if (filled->are_on(ground)) {
+      world::TerrainParameters terrain = ground;
+      terrain.lakes = std::move(filled->terrain.lakes);
+      change([&] { world_->set_terrain(terrain); });
+      scene_.lakes = next_.lakes = std::move(filled->lakes);
+    }
+  } catch (const Error& error) {
+    if (lakes_.is_asked_for(wanted_, *world_->parameters().terrain)) throw unmade_lakes(error);
+    fill_lakes(Haste::let_finish);  // those of an edit since then
+    return false;
   }
   // What was edited while they were filled.
   if (scene::differ_in(scene::all_but_clouds, scene_, wanted_))
@@ -185,8 +217,12 @@ bool LiveSea::take_made() {
   const bool has_lakes = take_lakes();
   auto made = builder_->take();
   if (!made) return has_lakes;
-  if (const Error* fault = std::get_if<Error>(&*made)) throw *fault;
-  show_clouds(std::get<BuiltClouds>(std::move(*made)));
+  try {
+    if (const Error* fault = std::get_if<Error>(&*made)) throw *fault;
+    show_clouds(std::get<BuiltClouds>(std::move(*made)));
+  } catch (const Error& error) {
+    throw UnmadePart(error, scene::are_other_clouds);
+  }
   return true;
 }
 

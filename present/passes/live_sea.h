@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/error.h"
 #include "host/scene/model/scene.h"
 #include "host/world/world.h"
 #include "present/editing/cloud_builder.h"
@@ -39,6 +40,22 @@ struct LiveSeaSettings {
   std::function<void(const OpeningStep&)> watch = {};
 };
 
+/// A part of an edited scene that cannot be made.
+class UnmadePart : public Error {
+ public:
+  using Asked = std::function<bool(const scene::Scene& before, const scene::Scene& after)>;
+
+  UnmadePart(const Error& error, Asked is_asked) : Error(error), is_asked_(std::move(is_asked)) {}
+
+  /// Whether the edit from one scene to the next asked for it.
+  bool is_asked(const scene::Scene& before, const scene::Scene& after) const {
+    return is_asked_(before, after);
+  }
+
+ private:
+  Asked is_asked_;
+};
+
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever
 /// throws leaves everything as it was, unless the device cannot even make again what it had.
 class LiveSea {
@@ -52,8 +69,8 @@ class LiveSea {
   /// Changes the scene, making anew only what differs. Clouds and lakes that differ are made in the
   /// background. Until then the previous ones are shown, but no lakes if the ground has changed.
   void begin_edit(const scene::Scene& scene, Haste haste);
-  /// Shows clouds and lakes that have been made since; whether there were any. Throws what making them has
-  /// thrown: the world and its scene are as they were, but wanted() is not shown then.
+  /// Shows clouds and lakes that have been made since; whether there were any. Throws UnmadePart where that
+  /// failed: the world and its scene are as they were, but wanted() is not shown then.
   bool take_made();
   /// begin_edit() and take_made() once all is made.
   void edit(const scene::Scene& scene);
@@ -114,6 +131,7 @@ class LiveSea {
   void show_clouds(BuiltClouds built);
   void fill_lakes(Haste haste);
   bool take_lakes();
+  UnmadePart unmade_lakes(const Error& error) const;
   std::unique_ptr<Frame> new_frame(const scene::Scene& scene) const;
   /// What was written where has been checked: edits are not to be warned of as if they were in the file.
   void take_scene(scene::Scene scene, std::optional<scene::Scene> wanted = {});
@@ -128,6 +146,7 @@ class LiveSea {
   scene::Scene next_;  // as scene_ but within an edit: edits copy what they change and no more
   std::unique_ptr<CloudBuilder> builder_;
   LakeFiller lakes_;
+  std::vector<scene::LakeScene> filled_lakes_;  // that were shown last, be it on other ground
   std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;

@@ -205,20 +205,27 @@ std::vector<world::LakeSettings> lakes_of(const Scene& scene, const world::Terra
     }
     const std::string place = place_of_lake(scene, i);
     if (!lake.lake) {
-      lake.lake = std::make_shared<const terrain::Lake>(terrain::fill_lake(
-          posts, each.x_m - terrain.origin_x_m, each.z_m - terrain.origin_z_m, each.level_m, place, work));
+      try {
+        lake.lake = std::make_shared<const terrain::Lake>(terrain::fill_lake(
+            posts, each.x_m - terrain.origin_x_m, each.z_m - terrain.origin_z_m, each.level_m, place, work));
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) throw;
+        throw LakeError(error, {i});
+      }
     }
     if (scene.has_sea() && lake.lake->level_m <= scene.sea_level_m()) {
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: expected a level above the sea, {:.7g} m, found {:.7g} m", place,
-                              scene.sea_level_m(), lake.lake->level_m),
-                  "choose a higher level, or a lower world.sea_level_m");
+      throw LakeError(Error(ErrorKind::bad_input,
+                            fmt::format("{}: expected a level above the sea, {:.7g} m, found {:.7g} m", place,
+                                        scene.sea_level_m(), lake.lake->level_m),
+                            "choose a higher level, or a lower world.sea_level_m"),
+                      {i});
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!terrain::overlap(*lakes[j].lake, *lake.lake)) continue;
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: expected no other lake there, found lake {}", place, j + 1),
-                  "remove one of them");
+      throw LakeError(Error(ErrorKind::bad_input,
+                            fmt::format("{}: expected no other lake there, found lake {}", place, j + 1),
+                            "remove one of them"),
+                      {i, j});
     }
   }
   return lakes;

@@ -3,8 +3,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "host/base/error.h"
 #include "host/base/work.h"
 #include "host/scene/model/scene.h"
 #include "host/world/world_terrain.h"
@@ -17,9 +19,21 @@ namespace offing::scene {
 /// filled.
 std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene, const Work& work = {});
 
+/// A lake that cannot be where a scene wants it.
+class LakeError : public Error {
+ public:
+  LakeError(const Error& error, std::vector<std::size_t> lakes) : Error(error), lakes_(std::move(lakes)) {}
+
+  /// The numbers of lakes that are in the way of each other, or of the one that has no basin.
+  const std::vector<std::size_t>& lakes() const { return lakes_; }
+
+ private:
+  std::vector<std::size_t> lakes_;
+};
+
 /// The lakes of a scene on this ground. The ground may have the lakes of `before`: those that stay are not
-/// filled again. Throws Error(bad_input) that names the place in the scene for a lake that cannot be there,
-/// and Error(cancelled) if `work` is cancelled.
+/// filled again. Throws LakeError(bad_input) that names the place in the scene for a lake that cannot be
+/// there, and Error(cancelled) if `work` is cancelled.
 std::vector<world::LakeSettings> prepare_lakes(const Scene& scene, const world::TerrainParameters& terrain,
                                                std::span<const LakeScene> before, const Work& work);
 

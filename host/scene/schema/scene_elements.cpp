@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -93,6 +95,54 @@ void take_tracks(Affects what, const Scene& from, Scene& to) {
   }
 }
 
+/// Whether two elements have the same values of their own, whatever elements they have.
+bool is_same_element(const Section& section, const Scene& one, ElementIndex in_one, const Scene& other,
+                     ElementIndex in_other) {
+  return std::ranges::all_of(parameter_table(), [&](const Parameter& row) {
+    return row.section != &section ||
+           is_same_value(row, struct_at(&one, section, in_one), struct_at(&other, section, in_other));
+  });
+}
+
+void take_out_added(const Section& section, const Scene& before, const Scene& after, Scene& scene) {
+  const std::size_t old = count_of(&before, section, {}), more = count_of(&after, section, {}) - old;
+  // Those without which the most of the others are as before; at the end, where there is a choice.
+  std::size_t first = 0, most_alike = 0;
+  for (std::size_t place = 0; place <= old; ++place) {
+    std::size_t alike = 0;
+    for (std::size_t i = 0; i < old; ++i)
+      alike += is_same_element(section, before, {i, 0}, after, {i < place ? i : i + more, 0}) ? 1 : 0;
+    if (alike < most_alike) continue;
+    most_alike = alike;
+    first = place;
+  }
+  for (std::size_t added = first + more; added-- > first;) {
+    const std::vector<ElementIndex> elements = elements_of(scene, section);
+    auto place = std::ranges::find_if(elements, [&](ElementIndex element) {
+      return is_same_element(section, scene, element, after, {added, 0});
+    });
+    if (place == elements.end()) place = std::ranges::find(elements, ElementIndex{added, 0});  // edited since
+    if (place != elements.end()) remove_element(scene, section, *place);
+  }
+}
+
+void take_out_keyframes(const Scene& before, const Scene& after, Scene& scene) {
+  std::set<ValueKey> keys;
+  for (const Scene* each : {&before, &after}) {
+    for (const auto& [key, track] : each->tracks) keys.insert(key);
+  }
+  for (const ValueKey& key : keys) {
+    const auto track_in = [&](const Scene& of) -> std::optional<KeyframeTrack> {
+      const auto found = of.tracks.find(key);
+      return found == of.tracks.end() ? std::nullopt : std::optional(found->second);
+    };
+    const std::optional<KeyframeTrack> was = track_in(before), is = track_in(after);
+    if (was == is || track_in(scene) != is) continue;
+    scene.tracks.erase(key);
+    if (was) scene.tracks.emplace(key, *was);
+  }
+}
+
 }  // namespace
 
 ElementIndex last_element(const Scene& scene, const Section& section) {
@@ -181,6 +231,30 @@ void take_values(Affects what, const Scene& from, Scene& to) {
   to.terrain.is_given = from.terrain.is_given;
   to.trust = from.trust;
   if (from.named_files != to.named_files) to.named_files = from.named_files;
+}
+
+void take_out_edit(const Scene& before, const Scene& after, Scene& scene) {
+  take_out_keyframes(before, after, scene);
+  std::set<const Section*> known;
+  for (const Parameter& row : parameter_table()) {
+    const Section& section = *row.section;
+    const std::vector<ElementIndex> edited = elements_of(after, section), were = elements_of(before, section);
+    if (known.insert(&section).second && section.is_repeated() && section.repeated_parent() == nullptr &&
+        edited.size() > were.size()) {
+      take_out_added(section, before, after, scene);
+    }
+    if (edited != were) continue;
+    const std::vector<ElementIndex> elements = elements_of(scene, section);
+    for (const ElementIndex element : elements) {
+      if (std::ranges::find(edited, element) == edited.end()) continue;
+      const void* old = struct_at(&before, section, element);
+      const void* was = struct_at(&after, section, element);
+      void* now = struct_at(&scene, section, element);
+      if (!is_same_value(row, old, was) && is_same_value(row, was, now)) copy_value(row, old, now);
+    }
+  }
+  if (before.ocean.is_given != after.ocean.is_given) scene.ocean.is_given = before.ocean.is_given;
+  if (before.terrain.is_given != after.terrain.is_given) scene.terrain.is_given = before.terrain.is_given;
 }
 
 }  // namespace offing::scene

@@ -39,4 +39,9 @@ bool differ_in(Affects what, const Scene& before, const Scene& after);
 /// values were written stays as it was.
 void take_values(Affects what, const Scene& from, Scene& to);
 
+/// Takes an edit, from `before` to `after`, out of a scene that other edits came to later: elements that it
+/// added go, and values and keyframes are those of before unless they were edited again. What it deleted
+/// stays deleted.
+void take_out_edit(const Scene& before, const Scene& after, Scene& scene);
+
 }  // namespace offing::scene

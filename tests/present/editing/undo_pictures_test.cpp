@@ -31,6 +31,7 @@
 #include "present/window/dropped_files.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/present/gl_test.h"
+#include "tests/present/no_threads.h"
 
 namespace offing::present {
 namespace {
@@ -452,6 +453,85 @@ TEST_F(UndoLakePicturesTest, LakesAreFilledInTheBackground) {
   EXPECT_TRUE(state_.message.is_fault);
   EXPECT_NE(state_.message.text.find("lake 1: "), std::string::npos) << state_.message.text;
   EXPECT_EQ(text(), before);
+}
+
+// Fails if edits that came after a lake that cannot be filled are lost with it, or it comes back by undo or
+// redo.
+TEST_F(UndoLakePicturesTest, OtherEditsOutliveABadLake) {
+  put_lake();
+  picture();
+  const auto edit = [&](const std::function<void(scene::Scene&)>& change) {
+    editing_->make([&](scene::Scene& scene) {
+      change(scene);
+      return std::string();
+    });
+  };
+  const auto spoil = [&] { edit([](scene::Scene& scene) { scene.lakes.at(0).level_m = 1000.0; }); };
+  const auto low_sun = [](scene::Scene& scene) { scene.view.sun_direction.elevation_rad = 0.2; };
+  const auto expect_good = [&](double elevation_rad) {
+    EXPECT_TRUE(state_.message.is_fault);
+    EXPECT_NE(state_.message.text.find("lake 1: "), std::string::npos) << state_.message.text;
+    ASSERT_EQ(state_.scene.lakes.size(), 1u);
+    EXPECT_LT(state_.scene.lakes[0].level_m.value_or(0.0), 100.0);
+    EXPECT_EQ(sea_->scene().lakes.size(), 1u);
+    EXPECT_EQ(sea_->scene().view.sun_direction.elevation_rad, elevation_rad);
+    EXPECT_EQ(state_.scene.view.sun_direction.elevation_rad, elevation_rad);
+  };
+  const double high_rad = state_.scene.view.sun_direction.elevation_rad;
+  spoil();
+  edit(low_sun);
+  picture();
+  expect_good(0.2);
+  EXPECT_EQ(editing_->undo_words(), "Sun: elevation");
+  editing_->undo();
+  EXPECT_EQ(state_.scene.view.sun_direction.elevation_rad, high_rad);
+  EXPECT_EQ(editing_->undo_words(), "add lake");
+
+  spoil();
+  edit(low_sun);
+  editing_->undo();
+  picture();
+  expect_good(high_rad);
+  editing_->redo();
+  EXPECT_EQ(state_.scene.view.sun_direction.elevation_rad, 0.2);
+  EXPECT_LT(state_.scene.lakes.at(0).level_m.value_or(0.0), 100.0);
+  editing_->undo();
+
+  // A slider that is held goes on.
+  spoil();
+  low_sun(state_.scene);
+  editing_->finish(Edit::going_on);
+  picture();
+  expect_good(0.2);
+  EXPECT_TRUE(state_.edit.fault.empty());
+  editing_->finish(Edit::done);
+  EXPECT_EQ(editing_->undo_words(), "Sun: elevation");
+  editing_->undo();
+  EXPECT_EQ(editing_->undo_words(), "add lake");
+
+  // The ground is to blame where the lake was there before: 13 m of it stay below the lake.
+  edit([](scene::Scene& scene) { scene.terrain.origin_x_m = 1000.0; });
+  edit(low_sun);
+  picture();
+  expect_good(0.2);
+  EXPECT_EQ(state_.scene.terrain.origin_x_m, -150.0);
+}
+
+// Fails if a lake that no thread can fill ends the window, or takes other edits with it.
+TEST_F(UndoLakePicturesTest, LakesWithoutAThreadAreRefused) {
+  {
+    const test::NoThreads none;
+    put_lake();
+    editing_->take_made();
+  }
+  EXPECT_TRUE(state_.message.is_fault);
+  EXPECT_NE(state_.message.text.find("lakes: cannot start a thread"), std::string::npos)
+      << state_.message.text;
+  EXPECT_TRUE(state_.scene.lakes.empty());
+  EXPECT_TRUE(picture() == untouched_);
+  put_lake();
+  EXPECT_FALSE(picture() == untouched_);
+  EXPECT_EQ(sea_->scene().lakes.size(), 1u);
 }
 
 // Fails as above for presets, handles, keyframes, bookmarks and files.
