@@ -3,10 +3,9 @@
 #include <exception>
 #include <new>
 
-#include <fmt/format.h>
-
 #include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_clouds.h"
+#include "present/background_work.h"
 #include "present/passes/clouds/cloud_pass.h"
 
 namespace offing::present {
@@ -21,7 +20,7 @@ std::pair<std::string, std::string> folders_of(const scene::Scene& scene) {
 CloudBuilder::CloudBuilder(const ocl::DeviceInfo& device, const scene::Scene& shown)
     : grower_(ocl::Device::open(device)),
       billboard_folders_(folders_of(shown)),
-      thread_([this] { work(); }) {}
+      thread_(start_thread("clouds", [this] { work(); })) {}
 
 CloudBuilder::~CloudBuilder() {
   {
@@ -92,9 +91,7 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
     return Error(ErrorKind::out_of_memory, "clouds: too many particles for this machine's memory",
                  "lower cloud.target_particles or clouds.quality");
   } catch (const std::exception& error) {
-    // On a thread of its own it would end the program.
-    return Error(ErrorKind::device, fmt::format("clouds: unexpected error: {}", error.what()),
-                 "undo the last edit, and report this message");
+    return unexpected_error("clouds", error);
   }
 }
 

@@ -1,23 +1,19 @@
 #include "present/output/recording_job.h"
 
-#include <new>
 #include <utility>
 
 #include "host/base/error.h"
-#include "present/output/headless.h"
+#include "present/background_work.h"
 
 namespace offing::present {
 
-RecordingJob::RecordingJob(ViewOptions options) : options_(std::move(options)) {
+RecordingJob::RecordingJob(ViewOptions options, Record record) : options_(std::move(options)) {
   progress_.count = recording().count();
-  ended_ = std::async(std::launch::async, [this] {
-    try {
-      record_frames(options_, cancel_, [this](int written) { note(written); });
-    } catch (const std::bad_alloc&) {
-      throw Error(ErrorKind::out_of_memory,
-                  "recording: this machine's memory is too small for a second copy of the scene",
-                  "save the scene, and record it by offing-view --record");
-    }
+  const Error no_memory(ErrorKind::out_of_memory,
+                        "recording: this machine's memory is too small for a second copy of the scene",
+                        "save the scene, and record it by offing-view --record");
+  ended_ = run_in_background("recording", no_memory, [this, record = std::move(record)] {
+    record(options_, cancel_, [this](int written) { note(written); });
   });
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <mutex>
 
 #include "host/base/work.h"
+#include "present/output/headless.h"
 #include "present/output/recorder.h"
 #include "present/view_options.h"
 
@@ -14,8 +16,12 @@ namespace offing::present {
 /// OpenGL of its own, as the command line would.
 class RecordingJob {
  public:
-  /// Of the options' recording.
-  explicit RecordingJob(ViewOptions options);
+  using Record =
+      std::function<void(const ViewOptions&, const CancelToken&, const std::function<void(int written)>&)>;
+
+  /// Of the options' recording, by a function like record_frames(). Throws Error(out_of_memory) where no
+  /// thread can be started.
+  explicit RecordingJob(ViewOptions options, Record record = record_frames);
   RecordingJob(const RecordingJob&) = delete;
   RecordingJob& operator=(const RecordingJob&) = delete;
   /// Stops it, and waits for the end of the frame in progress.
@@ -26,8 +32,7 @@ class RecordingJob {
   /// It ends after the frame in progress.
   void cancel() { cancel_.cancel(); }
   bool has_ended() const;
-  /// Waits for its end. Throws what made it end early, Error(cancelled) after cancel(), Error(out_of_memory).
-  /// Call it once.
+  /// Waits for its end. Throws an Error where it ended early, Error(cancelled) after cancel(). Call it once.
   void take() { ended_.get(); }
 
  private:

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/base/error.h"
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/world_scene.h"
+#include "present/background_work.h"
 
 namespace offing::present {
 
@@ -30,7 +32,9 @@ void show_view(world::World& world, const FirstView& view, const glm::dvec3& eye
 WorldOpening::WorldOpening(const ocl::Device& device, const scene::Scene& scene,
                            std::optional<FirstView> view, const CancelToken* cancel) {
   begin("the scene");
-  world_ = std::async(std::launch::async, [this, device, scene, view, cancel] {
+  const Error no_memory(ErrorKind::out_of_memory, "this machine's memory is too small for the scene",
+                        "take a smaller ocean.size or terrain.posts, a coarser map, or fewer particles");
+  world_ = run_in_background("the scene", no_memory, [this, device, scene, view, cancel] {
     const CancelToken none;
     return open(device, scene, view, cancel != nullptr ? *cancel : none);
   });

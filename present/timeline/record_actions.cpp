@@ -16,6 +16,11 @@
 
 namespace offing::present {
 
+RecordActions::~RecordActions() {
+  job_.reset();
+  remove_empty_folder();
+}
+
 void RecordActions::open() {
   if (options_.recording || is_recording()) {
     state_.message = {.text = "a recording is running: wait until it ends, or cancel it", .is_fault = true};

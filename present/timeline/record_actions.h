@@ -17,6 +17,10 @@ namespace offing::present {
 class RecordActions {
  public:
   RecordActions(const ViewOptions& options, ViewState& state) : options_(options), state_(state) {}
+  RecordActions(const RecordActions&) = delete;
+  RecordActions& operator=(const RecordActions&) = delete;
+  /// Stops a recording, and waits for the end of its frame in progress.
+  ~RecordActions();
 
   /// Asks what to record. One recording runs at a time.
   void open();

@@ -17,6 +17,7 @@
 
 #include "host/io/png_image.h"
 #include "present/output/headless.h"
+#include "tests/present/no_threads.h"
 #include "tests/present/output/stand_in_ffmpeg.h"
 #include "tests/present/window/window_test.h"
 
@@ -282,6 +283,52 @@ TEST_F(WindowRecordTest, QuittingEndsIt) {
     viewer_.reset();
     EXPECT_THAT(files(), testing::IsEmpty());
   }
+}
+
+// Fails if the empty folder of pictures stays where the window closes before the first one.
+TEST_F(WindowRecordTest, QuittingLeavesNoEmptyFolder) {
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  choose_format("pictures (.png)");
+  click(find(dialog(), "record", 20));
+  ASSERT_TRUE(viewer_->is_recording());
+  const bool was_there = std::filesystem::exists("offing_001");
+  viewer_.reset();
+  EXPECT_TRUE(was_there);
+  EXPECT_TRUE(!std::filesystem::exists("offing_001") || !files("offing_001").empty());
+}
+
+// Fails if a recording for which there is no thread ends the window, or leaves a folder.
+TEST_F(WindowRecordTest, NeedsAThread) {
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  choose_format("pictures (.png)");
+  {
+    const NoThreads none;
+    click(find(dialog(), "record", 20));
+    EXPECT_FALSE(std::filesystem::exists("offing_001"));
+  }
+  ASSERT_NE(dialog(), nullptr) << "it does not say what is wrong";
+  click(find(dialog(), "record", 20));
+  wait_for_end();
+  EXPECT_FALSE(files("offing_001").empty()) << message();
+}
+
+// Fails if a recording that ends early, here as its folder is gone, ends the window or does not say so.
+TEST_F(WindowRecordTest, SaysThatItsThreadFailed) {
+  open(two_frames_a_second());
+  press_with_control("r");
+  turn(2);
+  choose_format("pictures (.png)");
+  click(find(dialog(), "record", 20));
+  ASSERT_TRUE(viewer_->is_recording());
+  std::filesystem::remove_all("offing_001");
+  wait_for_end();
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_THAT(message(), HasSubstr("offing_001"));
+  EXPECT_TRUE(viewer_->turn());
 }
 
 // Fails if a machine without ffmpeg closes the dialog or begins to record, or Esc does not close the dialog.
