@@ -102,13 +102,14 @@ bool FileBrowser::go_to(const std::filesystem::path& folder) {
     const bool is_folder = is_folder_to_enter(entry->path());
     if (!is_folder && !passes(filter_, entry->path())) continue;
     std::error_code unknown;
-    const std::uintmax_t bytes = is_folder ? 0 : entry->file_size(unknown);
-    const std::uintmax_t known_bytes = unknown ? 0 : bytes;
+    std::optional<std::uintmax_t> bytes;
+    if (!entry->is_directory(unknown)) bytes = entry->file_size(unknown);
+    if (unknown) bytes.reset();
     const auto written = entry->last_write_time(unknown);
-    entries.push_back({name, is_folder, known_bytes, unknown ? std::filesystem::file_time_type{} : written});
+    entries.push_back({name, is_folder, bytes, unknown ? std::filesystem::file_time_type{} : written});
   }
   std::ranges::sort(entries, {}, [this](const FileEntry& each) {
-    const auto size = order_ == FileOrder::size ? each.bytes : 0;
+    const auto size = order_ == FileOrder::size ? each.bytes.value_or(0) : 0;
     const auto time = order_ == FileOrder::time ? each.written : std::filesystem::file_time_type{};
     return std::tuple(!each.is_folder, ~size, -time.time_since_epoch(), std::string_view(each.name));
   });

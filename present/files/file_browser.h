@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ inline constexpr std::array<const char*, 11> file_filter_names{"all that Offing 
 struct FileEntry {
   std::string name;  ///< without its folder
   bool is_folder = false;
-  std::uintmax_t bytes = 0;                      ///< of a file
+  std::optional<std::uintmax_t> bytes = {};      ///< of a file; tile stores, which are folders, have none
   std::filesystem::file_time_type written = {};  ///< when it was last written
 };
 

@@ -50,8 +50,7 @@ void draw_facts(const FileEntry& entry, const EntryColumns& columns) {
                        ImGui::GetColorU32(ImGuiCol_PopupBg, 1.0f));
   }
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  if (!entry.is_folder)
-    list.AddText({left + columns.size_px, low.y}, colour, shown_size(entry.bytes).c_str());
+  if (entry.bytes) list.AddText({left + columns.size_px, low.y}, colour, shown_size(*entry.bytes).c_str());
   list.AddText({left + columns.time_px, low.y}, colour, shown_time(entry.written).c_str());
 }
 

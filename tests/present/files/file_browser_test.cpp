@@ -1,6 +1,7 @@
 // The folders and files that a file dialog lists, and what a typed name means there.
 #include "present/files/file_browser.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -57,6 +58,21 @@ TEST_F(FileBrowserTest, SortsBySizeAndTime) {
   browser_.set_order(FileOrder::time);
   EXPECT_THAT(names(FileFilter::known),
               ElementsAre("..", "maps ü", "b.ply", "SHIP.GLB", "sea.toml", "coast.tif"));
+}
+
+// Fails if a tile store, which is a folder, is shown as a file of 0 B.
+TEST_F(FileBrowserTest, TileStoresHaveNoSize) {
+  std::filesystem::create_directory(folder_.path() / "alps");
+  std::ofstream(folder_.path() / "alps" / "store.toml") << "{}";
+  std::ofstream(folder_.path() / "empty.tif");
+  browser_.set_filter(FileFilter::height_maps);
+  const auto entry = [&](const std::string& name) {
+    return *std::ranges::find(browser_.entries(), name, &FileEntry::name);
+  };
+  ASSERT_THAT(names(FileFilter::height_maps), testing::IsSupersetOf({"alps", "empty.tif"}));
+  EXPECT_FALSE(entry("alps").is_folder);
+  EXPECT_FALSE(entry("alps").bytes);
+  EXPECT_EQ(entry("empty.tif").bytes, 0u);
 }
 
 // Fails if a size or a time is shown as another one.
