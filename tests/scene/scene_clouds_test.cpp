@@ -20,6 +20,7 @@
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/vdb/vdb_volume.h"
 #include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/cloud_shapes.h"
 #include "host/scene/schema/unused_parameters.h"
 #include "tests/io/temporary_folder.h"
 
@@ -73,6 +74,19 @@ TEST_F(SceneClouds, HiddenCloudsHaveNoParticles) {
   const std::string layer = "[[cloud_layer]]\ncoverage = 0.5\n";
   EXPECT_FALSE(prepare_clouds(scene_of(layer + "visible = \"off\"\n")));
   EXPECT_EQ(sky_of(layer + "[[cloud_layer]]\nvisible = \"off\"\n"), sky_of(layer));
+}
+
+// Fails if the shape of a hidden cloud is made, or one that is hidden and shown again is made anew.
+TEST_F(SceneClouds, ShapesOfHiddenCloudsAreNotMade) {
+  const Scene shown = scene_of("[[cloud]]\n[[cloud]]\nshape = \"head\"\ntarget_particles = 60\n");
+  Scene hidden = shown;
+  hidden.clouds[1].visible = CloudVisibility::off;
+  CloudShapes shapes;
+  EXPECT_FALSE(prepare_clouds(hidden, shapes)->clouds[1].shape);
+  const auto shape = prepare_clouds(shown, shapes)->clouds[1].shape;
+  ASSERT_TRUE(shape);
+  EXPECT_FALSE(prepare_clouds(hidden, shapes)->clouds[1].shape);
+  EXPECT_EQ(prepare_clouds(shown, shapes)->clouds[1].shape, shape);
 }
 
 // Fails if what a scene does not say is not the genus', or what it says is lost.

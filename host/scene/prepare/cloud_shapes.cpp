@@ -51,4 +51,8 @@ RestingParticles CloudShapes::take(const Scene& scene, std::size_t index,
   return particles;
 }
 
+void CloudShapes::keep(const Scene& scene, std::size_t index, const clouds::CloudParameters& parameters) {
+  if (scene.clouds[index].shape.is_given()) known(Source(scene.clouds[index], parameters));
+}
+
 }  // namespace offing::scene

@@ -16,6 +16,8 @@ class CloudShapes {
   void begin();
   /// take_shape() of a cloud, or what it gave before.
   RestingParticles take(const Scene& scene, std::size_t index, clouds::CloudParameters& parameters);
+  /// Remembers the shape of a cloud that is not shown, if it was taken before; none is made.
+  void keep(const Scene& scene, std::size_t index, const clouds::CloudParameters& parameters);
 
  private:
   /// All that a shape depends on.

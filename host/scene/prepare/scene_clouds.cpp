@@ -228,9 +228,12 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene, Clou
     CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);
     require_valid_cloud(scene, i, parameters);
-    RestingParticles particles = shapes.take(scene, i, parameters);
-    const bool is_shown = scene.clouds[i].visible == CloudVisibility::on;
-    sky.particles.push_back(is_shown ? std::move(particles) : no_particles());
+    if (scene.clouds[i].visible == CloudVisibility::on) {
+      sky.particles.push_back(shapes.take(scene, i, parameters));
+    } else {
+      shapes.keep(scene, i, parameters);
+      sky.particles.push_back(no_particles());
+    }
     sky.clouds.push_back(std::move(parameters));
   }
   for (std::size_t i = 0; i < scene.cloud_layers.size(); ++i) {
