@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/world_scene.h"
 #include "present/passes/frame.h"
+#include "present/passes/sky/light_meter.h"
 #include "tests/present/gl_test.h"
 
 namespace offing::test {
@@ -50,6 +54,19 @@ class StillSea : public GlTest {
     world.at(time_s, camera.eye_m.y);
     frame.draw(world, {.camera = camera, .exposure = 0.1, .debug = shown_});
     return frame.light().read();
+  }
+
+  /// What a light meter makes of such a world, in stops.
+  double metered_stops(const std::optional<world::TerrainParameters>& terrain, const std::string& text,
+                       const Camera& camera, Sea sea = Sea::as_given) {
+    const scene::Scene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
+    world::WorldParameters parameters = scene::prepare_world(scene, scene::Warnings::left_out);
+    parameters.terrain = terrain;
+    if (sea == Sea::none) parameters.has_sea = false;
+    world::World world(*device_, parameters);
+    scene::set_view(world, scene::view_at(scene, 0.0));
+    world.at(0.0, camera.eye_m.y);
+    return std::log2(present::LightMeter().exposure(world, camera, 0.0));
   }
 
   /// The same of the last of several pictures in a row.
