@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -25,10 +26,10 @@ using clouds::CloudMotion;
 using clouds::CloudParameters;
 
 /// Between the clouds at time 0, where floats are finest.
-glm::dvec3 origin_of(const CloudSkyParameters& parameters) {
+glm::dvec3 origin_of(const std::vector<CloudParameters>& clouds) {
   constexpr double step_m = 1024.0;  // multiples of it are exact in floats
-  glm::dvec3 low = parameters.clouds.front().position_m, high = low;
-  for (const CloudParameters& cloud : parameters.clouds) {
+  glm::dvec3 low = clouds.front().position_m, high = low;
+  for (const CloudParameters& cloud : clouds) {
     low = glm::min(low, cloud.position_m);
     high = glm::max(high, cloud.position_m);
   }
@@ -65,6 +66,20 @@ using Particles = std::shared_ptr<const std::vector<CloudParticle>>;
 
 Particles given_particles(const CloudSkyParameters& parameters, std::size_t index) {
   return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
+}
+
+/// The numbers of clouds that are not hidden: a hidden one is given no particles. If all are, all of them.
+std::vector<std::size_t> drawn_clouds(const CloudSkyParameters& parameters) {
+  std::vector<std::size_t> drawn;
+  for (std::size_t i = 0; i < parameters.clouds.size(); ++i) {
+    const Particles given = given_particles(parameters, i);
+    if (!given || !given->empty()) drawn.push_back(i);
+  }
+  if (drawn.empty()) {
+    drawn.resize(parameters.clouds.size());
+    std::iota(drawn.begin(), drawn.end(), 0);
+  }
+  return drawn;
 }
 
 /// A cloud by how often its particles are halved; nullptr: not asked for yet.
@@ -171,9 +186,8 @@ struct WorldClouds::Sky {
       : device(on), lit(std::make_unique<LitClouds>(on)), orders{SeenOrder(on), SeenOrder(on)} {}
 
   bool is_elsewhere(double time_s, const Placed& placed) const {
-    const auto& clouds = parameters.clouds;
     return !placed.time_s ||
-           (*placed.time_s != time_s && !std::all_of(clouds.begin(), clouds.end(), stands_still));
+           (*placed.time_s != time_s && !std::all_of(drawn.begin(), drawn.end(), stands_still));
   }
 
   /// Whether they were elsewhere.
@@ -220,7 +234,7 @@ struct WorldClouds::Sky {
     std::vector<clouds::CloudExtent> extents;
     for (std::size_t i = 0; i < models.size(); ++i) {
       extents.push_back(models[i][0]->extent());
-      extents.back().middle_m += clouds::cloud_origin_m(parameters.clouds[i], time_s);
+      extents.back().middle_m += clouds::cloud_origin_m(drawn[i], time_s);
     }
     return clouds::with_light_of_others(of_clouds, extents, looks);
   }
@@ -228,7 +242,7 @@ struct WorldClouds::Sky {
   /// From where they are lit to where they are at shown_at_s; whether that is elsewhere than before.
   bool carry() {
     const glm::dvec3 before_m = carried_m;
-    carried_m = drift_m(parameters.clouds, *lit->placed.time_s, shown_at_s);
+    carried_m = drift_m(drawn, *lit->placed.time_s, shown_at_s);
     return carried_m != before_m;
   }
 
@@ -318,6 +332,9 @@ struct WorldClouds::Sky {
 
   ocl::Device device;
   CloudSkyParameters parameters;
+  // Those of them that are not hidden, which alone have models, looks and lights, and their numbers there.
+  std::vector<CloudParameters> drawn;
+  std::vector<std::size_t> places;
   glm::dvec3 origin_m{0.0};
   std::vector<ModelLevels> models;       // one a cloud
   std::vector<clouds::CloudLook> looks;  // one a cloud
@@ -360,11 +377,14 @@ void WorldClouds::set(const CloudSkyParameters& parameters) {
   // All that can fail comes first.
   const CloudSkyParameters& before = sky.parameters;
   std::vector<ModelLevels> models;
-  for (std::size_t i = 0; i < parameters.clouds.size(); ++i) {
-    const CloudParameters& cloud = parameters.clouds[i];
-    const Particles given = given_particles(parameters, i);
+  std::vector<CloudParameters> drawn;
+  const std::vector<std::size_t> places = drawn_clouds(parameters);
+  for (const std::size_t place : places) {
+    const CloudParameters& cloud = drawn.emplace_back(parameters.clouds[place]);
+    const Particles given = given_particles(parameters, place);
+    const std::size_t i = models.size();
     const bool is_known =
-        i < sky.models.size() && before.clouds[i] == cloud && given_particles(before, i) == given;
+        i < sky.models.size() && sky.drawn[i] == cloud && given_particles(before, sky.places[i]) == given;
     const auto number = static_cast<std::uint32_t>(i);
     if (is_known) {
       models.push_back(sky.models[i]);
@@ -388,15 +408,17 @@ void WorldClouds::set(const CloudSkyParameters& parameters) {
 
   sky.models = std::move(models);
   sky.looks.clear();
-  for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
+  for (const CloudParameters& cloud : drawn) sky.looks.push_back(cloud.look);
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
   sky.lit->placed = {.time_s = {}, .particles = std::move(lit)};
   sky.next.reset();
   for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
-  sky.origin_m = origin_of(parameters);
-  sky.is_one = drift_as_one(parameters.clouds);
+  sky.places = places;
+  sky.drawn = std::move(drawn);
+  sky.origin_m = origin_of(sky.drawn);
+  sky.is_one = drift_as_one(sky.drawn);
   sky.forget_light();
   sky.forget_orders();
 }
@@ -438,13 +460,15 @@ void WorldClouds::at(double time_s) {
   if (sky.carry() || has_moved) sky.forget_orders();
 }
 
-void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
+void WorldClouds::light(std::span<const clouds::CloudIllumination> of_all) {
   Sky& sky = *sky_;
-  if (of_clouds.size() != sky.models.size()) {
+  if (of_all.size() != sky.parameters.clouds.size()) {
     throw Error(ErrorKind::bad_usage, fmt::format("light of clouds: expected {} illuminations, got {}",
-                                                  sky.models.size(), of_clouds.size()));
+                                                  sky.parameters.clouds.size(), of_all.size()));
   }
   if (sky.count == 0) return;
+  std::vector<clouds::CloudIllumination> of_clouds;
+  for (const std::size_t place : sky.places) of_clouds.push_back(of_all[place]);
   if (sky.is_lighting) {
     sky.light_further(of_clouds);
     return;
@@ -467,7 +491,7 @@ void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
 }
 
 void WorldClouds::light(const clouds::CloudIllumination& of_all) {
-  light(std::vector<clouds::CloudIllumination>(sky_->models.size(), of_all));
+  light(std::vector<clouds::CloudIllumination>(sky_->parameters.clouds.size(), of_all));
 }
 
 void WorldClouds::see(const Camera& camera) {

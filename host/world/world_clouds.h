@@ -75,7 +75,7 @@ class WorldClouds {
   /// the light's box.
   void see_mirrored(const Camera& mirrored, double plane_m);
 
-  /// What lit the particles of the last light(), one a cloud; none before one.
+  /// What lit the particles of the last light(), one a cloud that is not hidden; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;
 
   /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun, if that

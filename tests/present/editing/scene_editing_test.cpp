@@ -192,6 +192,23 @@ TEST_F(SceneEditingTest, HiddenCloudsAreNotThere) {
   EXPECT_TRUE(picture() == both);
 }
 
+// Fails if a cloud is drawn or lit in another way because hidden ones are listed beside it: their number
+// made the grids of its light coarser.
+TEST_F(SceneEditingTest, HiddenCloudsLeaveOthersAsTheyAre) {
+  const std::vector<unsigned char> alone = picture();
+  edit([](scene::Scene& scene) {
+    scene::CloudScene hidden = scene.clouds[0];
+    hidden.position_m.x = 3000.0;
+    hidden.motion.wind_mps = glm::dvec3(5.0, 0.0, 0.0);
+    hidden.visible = scene::CloudVisibility::off;
+    scene.clouds.insert(scene.clouds.begin(), 2, hidden);
+    scene.clouds.insert(scene.clouds.end(), 2, hidden);
+  });
+  wait();
+  EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+  EXPECT_TRUE(picture() == alone);
+}
+
 TEST_F(SceneEditingTest, RefusesBrokenFiles) {
   TemporaryFolder folder;
   const auto name = [&](const char* file) { return (folder.path() / file).string(); };
