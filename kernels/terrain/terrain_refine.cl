@@ -36,7 +36,7 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
   for (int i = 0; i < samples; ++i) {
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse(i) + 0.5f / (float)samples);
-    const lanes sample_rad = of_pixel * seen_rad(field, view, rays);
+    const lanes pixel_seen_rad = seen_rad(field, view, rays), sample_rad = of_pixel * pixel_seen_rad;
     RaySetup ray_setup = ray_setup_of(field, rays);
 #ifdef RELIEF
     const Hits near = relief_hits(scenery->terrain, scenery->relief, &ray_setup);
@@ -54,7 +54,7 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
 #ifdef CANOPY
-    if (scenery->canopy.params.stands != 0) on_ground = crowns_before(scenery, rays, sample_rad, on_ground);
+    if (scenery->canopy.params.stands != 0) on_ground = crowns_before(scenery, rays, sample_rad, pixel_seen_rad, on_ground);
 #endif
 #ifdef LAKES
     on_ground.is_hit &= shown_with_lakes(scenery, rays, on_ground);

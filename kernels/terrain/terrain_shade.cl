@@ -104,7 +104,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
       TerrainHits terrain = terrain_hits(hits, view, ray_rad, column, row);
 #ifdef CANOPY
       if (canopy.stands != 0) {
-        terrain = crowns_before(&scenery, rays, ray_rad, terrain);
+        terrain = crowns_before(&scenery, rays, ray_rad, ray_rad, terrain);
         write_crowns(terrain, view, column, row, hits);
       }
 #endif

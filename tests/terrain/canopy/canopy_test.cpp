@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/numbers/degrees.h"
+#include "tests/terrain/canopy/crown_reference.h"
 #include "tests/terrain/example_maps.h"
 #include "tests/terrain/terrain_painter.h"
 
@@ -165,33 +165,6 @@ TEST_F(CanopyTest, AreDarkAgainstTheSun) {
   EXPECT_NEAR(ratio(wood, 90.0), 1.0, 0.1);
 }
 
-/// The height of a dense wood at a place of level ground, m: the crowns of kernels/terrain/canopy/canopy.clh.
-double crown_m(double x_m, double z_m, double highest_m) {
-  constexpr double cell_m = 8192.0 * 0.01171875 / 13.0;
-  const double x = (5.0 * x_m + 12.0 * z_m) / 13.0 / cell_m, z = (5.0 * z_m - 12.0 * x_m) / 13.0 / cell_m;
-  const auto of_whole = [](std::uint32_t bits) {
-    return static_cast<double>(static_cast<std::int32_t>(bits)) * 0x1p-31;
-  };
-  double highest = 0.0;
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      const double cell_x = std::floor(x - 0.5) + i, cell_z = std::floor(z - 0.5) + j;
-      std::uint32_t h = static_cast<std::uint32_t>(static_cast<std::int64_t>(cell_x)) * 0x8da6b343u +
-                        static_cast<std::uint32_t>(static_cast<std::int64_t>(cell_z)) * 0xcb1ab31fu +
-                        0x51ed270bu;
-      h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-      h ^= h >> 13;
-      const double off_x = x - cell_x - 0.5 - 0.4 * of_whole(h);
-      const double off_z = z - cell_z - 0.5 - 0.4 * of_whole(h << 11);
-      const double size = 0.5 + 0.5 * of_whole(h * 0x9e3779b1u);
-      const double reach = 0.42 + 0.18 * size, top_m = highest_m * (0.55 + 0.45 * size);
-      const double away = off_x * off_x + off_z * off_z;
-      if (away < reach * reach) highest = std::max(highest, top_m * (1.0 - 0.7 * away / (reach * reach)));
-    }
-  }
-  return highest;
-}
-
 // From 20 km above a slope of 5 degrees, where pixels are larger than crowns: hits are those of the ground.
 // Fails if they lose its normal or their distance.
 TEST_F(CanopyTest, HitsOfTheGroundStay) {
@@ -208,53 +181,30 @@ TEST_F(CanopyTest, HitsOfTheGroundStay) {
   }
 }
 
-// Fails if a ray passes through more of a crown than the steps of the walk may skip, 2 m, or hits a crown
-// where there is none. Steps end within 0.13 m of the crown. From above, and from 12 m above the highest
-// crowns, where rays pass over many of them.
+// Fails if a ray passes through a crown, hits one where there is none, or is off by more than 1e-3 of a cell:
+// on a plain and on a slope of 20 degrees, from far above, from close above and from a glade. A slow test has
+// a million rays.
 TEST_F(CanopyTest, RaysHitTheCrownsOfADoubleMarch) {
-  make(0.0, 35.0);
   ColourMap white{
       .columns = 1, .rows = 1, .rgba = {}, .left = 0.0, .top = 0.0, .right = 128.0, .bottom = 128.0};
   white.rgba = {255, 255, 255, 255};
   const std::optional<Canopy> wood = terrain::wood_of({.height_m = 20.0}, terrain::cover_map(white), 2000.0);
-  constexpr double step_m = 0.05, middle_m = 0.5 * side_m;
-  for (const auto& [above_m, pitch_rad] : {std::pair(150.0, -0.7), {32.0, -0.35}}) {
-    const Camera view{.eye_m = {middle_m, above_m, middle_m},
-                      .yaw_rad = 0.6,
-                      .pitch_rad = pitch_rad,
-                      .vertical_field_of_view_rad = 0.5,
-                      .width_px = side_px,
-                      .height_px = side_px};
-    draw(view, wood);
-    const std::vector<TerrainHit> hits = painter_->hits();
-    std::size_t crowns = 0, cut = 0;
-    double worst_m = 0.0;
-    for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
-      const double column = static_cast<double>(pixel % side_px), row = static_cast<double>(pixel / side_px);
-      const glm::dvec3 way = glm::normalize(
-          ray_direction(view, {2.0 * (column + 0.5) / side_px - 1.0, 1.0 - 2.0 * (row + 0.5) / side_px}));
-      const auto over_m = [&](double t_m) {
-        const glm::dvec3 place_m = view.eye_m + t_m * way;
-        return place_m.y - crown_m(place_m.x, place_m.z, 20.0);
-      };
-      const double found_m = static_cast<double>(hits[pixel].distance_m);
-      const bool is_crown = (view.eye_m + found_m * way).y > 0.02;
-      if (is_crown) {
-        ++crowns;
-        // Crowns end in walls.
-        ASSERT_LT(std::min(over_m(found_m), over_m(found_m + 0.05)), 0.1) << pixel;
-      }
-      double inside_m = 0.0;
-      for (double t_m = (above_m - 20.0) / -way.y; t_m < found_m - 0.2; t_m += step_m) {
-        inside_m = over_m(t_m) < 0.0 ? inside_m + step_m : 0.0;
-        worst_m = std::max(worst_m, inside_m);
-        cut += inside_m == step_m ? 1 : 0;
-      }
+  for (const double rise : {0.0, std::tan(20.0 * radians_per_degree)}) {
+    make(rise, 35.0);
+    for (const auto& [above_m, pitch_rad] : {std::pair(150.0, -0.7), {32.0, -0.35}, {1.7, -0.05}}) {
+      const Camera view{.eye_m = {0.5 * side_m, 0.5 * side_m * rise + above_m, 0.5 * side_m},
+                        .yaw_rad = 0.6,
+                        .pitch_rad = pitch_rad,
+                        .vertical_field_of_view_rad = 0.5,
+                        .width_px = side_px,
+                        .height_px = side_px};
+      draw(view, wood);
+      const test::CrownComparison found = test::compare_crowns(map_, 20.0, view, 800.0, painter_->hits());
+      EXPECT_EQ(found.wrong, 0u) << rise << ", " << above_m;
+      EXPECT_LE(found.touching, found.rays / 500) << rise << ", " << above_m;
+      EXPECT_LE(found.worst_cells, 1e-3) << rise << ", " << above_m;
+      EXPECT_GT(found.crowns, found.rays / 20) << rise << ", " << above_m;
     }
-    EXPECT_LE(worst_m, 2.2);
-    EXPECT_GT(crowns, hits.size() / 2);
-    EXPECT_LT(cut, hits.size() / 10);
-    std::printf("%zu rays, %zu crowns, %zu cut, %.2f m at most\n", hits.size(), crowns, cut, worst_m);
   }
 }
 
