@@ -91,6 +91,7 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
     lakes->set_looks(
         world::looks_of_lakes(scenery.lakes, camera.eye_m, 0.0, at_eye, std::sin(scenery.sun_elevation_rad)));
     look.lakes = lakes;
+    for (const TerrainHit& hit : hits.read()) picture.distances_m.push_back(hit.distance_m);
     ocl::Buffer<float> distances(device, picture.distances_m, "distances");
     lakes->stand_before(field, camera, hits, distances);
     picture.distances_m = distances.read();
@@ -140,12 +141,12 @@ TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera
   field.cast(camera, relief, hits_on_device);
   TerrainRender picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * width * height)};
-  for (const TerrainHit& hit : hits_on_device.read()) picture.distances_m.push_back(hit.distance_m);
   if (show == TerrainShow::light) {
     draw_light(device, field, camera, scenery, relief, hits_on_device, lakes ? &*lakes : nullptr, picture);
   }
   // With crowns of woods, which light has found.
   const std::vector<TerrainHit> hits = hits_on_device.read();
+  picture.distances_m.resize(hits.size(), std::numeric_limits<float>::infinity());
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];
     picture.distances_m[pixel] = std::min(picture.distances_m[pixel], hit.distance_m);

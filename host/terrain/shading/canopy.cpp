@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/terrain/shading/materials.h"
+#include "kernels/shared/terrain_noise.h"
 
 namespace offing::terrain {
 
@@ -27,7 +28,7 @@ std::optional<Canopy> wood_of(Canopy rules, std::shared_ptr<const ColourMap> map
 }
 
 CanopyLayer::CanopyLayer(const ocl::Device& device, const Canopy& canopy) : no_map_(device, 1, "no woods") {
-  constexpr double step_m = 0.01171875;  // of kernels/terrain/terrain_noise.clh
+  constexpr auto step_m = static_cast<double>(TERRAIN_STEP_M);
   const auto narrow = [](double value) { return static_cast<float>(value); };
   params_.height_m = narrow(canopy.height_m);
   params_.red = narrow(canopy.colour.r);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/terrain/lakes/lake.h"
+#include "kernels/shared/terrain_noise.h"
 
 namespace offing::terrain {
 namespace {
@@ -161,7 +162,7 @@ void lay_materials(const ReliefSettings& settings, const PatchNoise& seen, doubl
   }
 }
 
-constexpr float step_m = 0.01171875f;
+constexpr float step_m = TERRAIN_STEP_M;
 
 /// A place on an axis in steps of kernels/terrain/terrain_noise.clh, where a cell is whole 4096ths of them.
 double lattice_place(double cells, double spacing_m) {
