@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,11 +31,12 @@ class CanopyTest : public testing::Test {
   static constexpr int posts_a_side = 129, side_px = 96;
   static constexpr double spacing_m = 20.0, side_m = spacing_m * (posts_a_side - 1);
 
-  void make(double rise, double sun_elevation_deg) {
+  /// With water up to a height.
+  void make(double rise, double sun_elevation_deg, float water_m = -1e6f) {
     map_ = test::square_map(posts_a_side, spacing_m, [&](double x_m, double) { return rise * x_m; });
     test::PaintedTerrain scene;
     scene.sun_elevation_rad = sun_elevation_deg * radians_per_degree;
-    scene.light.sea_level_m = scene.light.beach_line_m = scene.light.still_water_m = -1e6f;
+    scene.light.sea_level_m = scene.light.beach_line_m = scene.light.still_water_m = water_m;
     scene.light.tree_line_m = scene.light.snow_line_m = 1e6f;
     painter_ = std::make_unique<test::TerrainPainter>(map_, scene);
   }
@@ -206,6 +208,33 @@ TEST_F(CanopyTest, RaysHitTheCrownsOfADoubleMarch) {
       EXPECT_GT(found.crowns, found.rays / 20) << rise << ", " << above_m;
     }
   }
+}
+
+// Fails if far crowns on a shore are as bright as the ground below them, where the wood ends within a crown:
+// on a slope of 30 degrees it does so in 4 m. Crowns are black.
+TEST_F(CanopyTest, CrownsOnAShoreAreNotTheGround) {
+  const double rise = -std::tan(30.0 * radians_per_degree), middle_m = 0.5 * side_m;
+  make(rise, 35.0, static_cast<float>(rise * (middle_m + 20.0)));
+  Camera view = camera(middle_m, 380.0, 500.0, 35.0, -90.0);
+  view.eye_m.y += rise * middle_m;
+  const std::vector<Texel> plain = draw(view, {});
+  const std::vector<Texel> wooded = draw(view, Canopy{.colour = glm::dvec3(1e-3), .share = 1.0});
+  const std::vector<TerrainHit> hits = painter_->hits();
+  float sand = 0.0f;
+  for (const Texel& texel : plain) sand = std::max(sand, texel[0]);
+  std::size_t crowns = 0, bright = 0;
+  for (std::size_t pixel = 0; pixel < wooded.size(); ++pixel) {
+    const double column = static_cast<double>(pixel % side_px), row = static_cast<double>(pixel / side_px);
+    const glm::dvec3 way = glm::normalize(
+        ray_direction(view, {2.0 * (column + 0.5) / side_px - 1.0, 1.0 - 2.0 * (row + 0.5) / side_px}));
+    const glm::dvec3 hit_m = view.eye_m + static_cast<double>(hits[pixel].distance_m) * way;
+    if (hit_m.y < rise * hit_m.x + 0.1 || hit_m.x < middle_m + 12.0) continue;
+    ++crowns;
+    bright += wooded[pixel][0] > 0.4f * sand ? 1 : 0;
+  }
+  EXPECT_GT(crowns, 20u);
+  EXPECT_LT(bright, crowns / 20);
+  std::printf("%zu of %zu crowns are bright\n", bright, crowns);
 }
 
 // Fails if woods do not stand against the sky: from 1.7 m above a meadow, a wood from 100 m on hides the sky
