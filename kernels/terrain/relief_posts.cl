@@ -1,12 +1,12 @@
 // Posts of the ground that is drawn near the eye: the map's surface and the relief of what covers it, finer than its posts
-// (shared/terrain_relief.h). The octaves are those by which terrain/terrain_cover.clh turns the ground to the light, as
+// (shared/terrain_relief.h). The octaves are those by which terrain/cover/ground_textures.clh turns the ground to the light, as
 // far as they are larger than four steps of the first level.
 // In:  heights [rows][columns] m, maxima, or with TILED the pool and pages of shared/terrain_tiles.h; field; view; relief and its discs; lakes with
 //      the flags of their cells (shared/lakes.h); materials of the scene.
 // Inout: relief_m [3][257][257] m, -FLT_MAX beyond a level's posts: that of `level` from those of level + 1, on whose surface its edges lie.
+#include "terrain/cover/terrain_cover.clh"
 #include "terrain/lakes/lake_hits.clh"
 #include "terrain/relief.clh"
-#include "terrain/terrain_cover.clh"
 
 // Octaves end where their cells are seen so small, in distances.
 #define FULL_CELLS 16.0f

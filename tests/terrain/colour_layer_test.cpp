@@ -139,7 +139,7 @@ TEST(ColourLayerTest, LiesWhereItIsPlaced) {
       EXPECT_NEAR(found[2], linear_of(20 + 25 * (column + row)), 0.01) << column << ", " << row;
     }
   }
-  constexpr double water_red = 0.042;  // of kernels/terrain/terrain_cover.clh
+  constexpr double water_red = 0.042;  // of kernels/terrain/cover/terrain_cover.clh
   EXPECT_NEAR(at(68.0, 48.0)[0], water_red, 1e-4);
   EXPECT_NEAR(at(48.0, 60.0)[0], water_red, 1e-4);
 }

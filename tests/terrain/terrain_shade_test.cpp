@@ -16,7 +16,7 @@ namespace {
 using terrain::Texel;
 
 using std::numbers::pi;
-constexpr double water_red = 0.042;  // of kernels/terrain/terrain_cover.clh
+constexpr double water_red = 0.042;  // of kernels/terrain/cover/terrain_cover.clh
 constexpr std::size_t columns_px = 41, rows_px = 33;
 
 /// A picture straight down from 80 m above the middle of a map under water, one ray a pixel.

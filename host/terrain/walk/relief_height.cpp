@@ -26,7 +26,7 @@ double fade(double x) {
   return x * x * x * (x * (6.0 * x - 15.0) + 10.0);
 }
 
-/// Gradient noise of deviation 1 (kernels/terrain/terrain_noise.clh), at a place in cells of its lattice.
+/// Gradient noise of deviation 1 (kernels/terrain/cover/terrain_noise.clh), at a place in cells of its lattice.
 double noise_at(const glm::dvec3& place, std::uint32_t seed) {
   constexpr std::array<std::uint32_t, 3> steps{0x8da6b343u, 0xd8163841u, 0xcb1ab31fu};
   constexpr double scale = 1.0 / (2147483648.0 * 0.1906);
@@ -91,7 +91,7 @@ double octave_share(unsigned octave, double distance_m) {
   return 1.0 - smooth_step(16.0 * cell_m_of(octave), 26.0 * cell_m_of(octave), distance_m);
 }
 
-/// The noise that shapes patches of materials (terrain_cover.clh), of deviation 1 but for the variance that
+/// The noise that shapes patches of materials (ground_textures.clh), of deviation 1 but for the variance that
 /// is too small to be seen. Nothing of its finest range is seen.
 struct PatchNoise {
   double broad = 0.0, patch = 0.0, patch_lost = 1.0;
@@ -164,7 +164,7 @@ void lay_materials(const ReliefSettings& settings, const PatchNoise& seen, doubl
 
 constexpr float step_m = TERRAIN_STEP_M;
 
-/// A place on an axis in steps of kernels/terrain/terrain_noise.clh, where a cell is whole 4096ths of them.
+/// A place on an axis in steps of kernels/terrain/cover/terrain_noise.clh, where a cell is whole 4096ths of them.
 double lattice_place(double cells, double spacing_m) {
   const float steps = 1.0f / (static_cast<float>(1.0 / spacing_m) * step_m);
   return cells * std::floor(static_cast<double>(steps) * 4096.0) / 4096.0;

@@ -11,7 +11,7 @@ uniform sampler2D foam_pattern;  // foam_texture()
 out vec4 light;
 
 const float foam_albedo = 0.5;
-const vec3 wet_sand_albedo = vec3(0.19, 0.16, 0.117);  // kernels/terrain/terrain_cover.clh
+const vec3 wet_sand_albedo = vec3(0.19, 0.16, 0.117);  // kernels/terrain/cover/terrain_cover.clh
 // Where the surface all but folds, slopes of a height field lose their meaning; foam hides such places.
 const float least_jacobian = 0.2;
 
