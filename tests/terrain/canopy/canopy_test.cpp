@@ -237,6 +237,37 @@ TEST_F(CanopyTest, CrownsOnAShoreAreNotTheGround) {
   std::printf("%zu of %zu crowns are bright\n", bright, crowns);
 }
 
+// Fails if crowns end where the wood does, and are cut: rays along the straight edge of a wood, 2.5 m and
+// more beside it, hit crowns whose middles are in it.
+TEST_F(CanopyTest, CrownsHangOverTheEdgeOfTheirWood) {
+  make(0.0, 35.0);
+  constexpr int columns = 1280;
+  ColourMap picture{
+      .columns = columns, .rows = 1, .rgba = {}, .left = 0.0, .top = 0.0, .right = 128.0, .bottom = 128.0};
+  for (int column = 0; column < columns; ++column) {
+    const std::uint8_t cover = column < columns / 2 ? 0 : 255;
+    picture.rgba.insert(picture.rgba.end(), {cover, cover, cover, 255});
+  }
+  const std::optional<Canopy> wood =
+      terrain::wood_of({.height_m = 20.0}, terrain::cover_map(picture), 2000.0);
+  const Camera view{.eye_m = {0.5 * side_m - 4.0, 8.0, 0.5 * side_m + 100.0},
+                    .vertical_field_of_view_rad = 0.2,
+                    .width_px = side_px,
+                    .height_px = side_px};
+  draw(view, wood);
+  const std::vector<TerrainHit> hits = painter_->hits();
+  int crowns = 0;
+  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+    const double column = static_cast<double>(pixel % side_px), row = static_cast<double>(pixel / side_px);
+    const glm::dvec3 way = glm::normalize(
+        ray_direction(view, {2.0 * (column + 0.5) / side_px - 1.0, 1.0 - 2.0 * (row + 0.5) / side_px}));
+    const glm::dvec3 hit_m = view.eye_m + static_cast<double>(hits[pixel].distance_m) * way;
+    if (hits[pixel].distance_m < 190.0f && hit_m.y > 1.0 && hit_m.x < 0.5 * side_m - 2.0) ++crowns;
+  }
+  EXPECT_GT(crowns, 40);
+  std::printf("%d rays hit crowns beside the wood\n", crowns);
+}
+
 // Fails if woods do not stand against the sky: from 1.7 m above a meadow, a wood from 100 m on hides the sky
 // up to half its height at least, and none above its height. Its map says where it is. Rays from the same eye
 // hit the ground as they do without it.
