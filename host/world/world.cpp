@@ -315,8 +315,7 @@ void World::see_terrain_beneath(const Camera& camera) {
   terrain_->beneath_at(camera, sky_, {light_on_terrain(camera), shade ? &*shade : nullptr},
                        {.below_m = level_m - reach().vertical_m - seen_m,
                         .bend_perm = 0.5 / sea_radius_m,
-                        // Far above what a wave's foot shows of a beach: pixels there are coarse.
-                        .above_m = level_m + reach().vertical_m + seen_m});
+                        .above_m = level_m + reach().vertical_m});
 }
 
 TerrainLight World::light_on_terrain(const Camera& camera) const {

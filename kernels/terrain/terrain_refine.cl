@@ -60,7 +60,7 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
     on_ground.is_hit &= shown_with_lakes(scenery, rays, on_ground);
     Colours seen = light_with_lakes(scenery, rays, on_ground).seen;
 #else
-    on_ground.is_hit &= shown_by_height(scenery->look, rays, on_ground.t_m);
+    on_ground.is_hit &= shown_by_height(scenery->look, rays, on_ground);
     Colours seen = terrain_light(scenery, rays, on_ground).seen;
 #endif
     const int_lanes is_sea = meets_sea_beyond(scenery, rays, on_ground.is_hit);

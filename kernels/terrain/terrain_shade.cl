@@ -38,6 +38,21 @@ INLINE void write_crowns(TerrainHits terrain, TerrainView view, int column, int 
 }
 #endif
 
+// Mirrored rays begin at the mirror, and in the ground where that stands before it: the water shows those in means over many
+// pixels alone. So many pixels from all others they get the light of any open ground.
+#define HIDING_MARGIN_PX 16
+
+INLINE bool hides_mirror(__global const TerrainHit *hits, TerrainView view, int x, int y) {
+  const TerrainHit hit = hits[(size_t)y * view.width_px + x];
+  if (hit.kind != TERRAIN_INSIDE || hit.distance_m == 0.0f) return false;
+  const int left = max(x - HIDING_MARGIN_PX, 0), right = min(x + HIDING_MARGIN_PX, view.width_px - 1);
+  const int top = max(y - HIDING_MARGIN_PX, 0), bottom = min(y + HIDING_MARGIN_PX, view.height_px - 1);
+  return hits[(size_t)y * view.width_px + left].kind == TERRAIN_INSIDE &&
+         hits[(size_t)y * view.width_px + right].kind == TERRAIN_INSIDE &&
+         hits[(size_t)top * view.width_px + x].kind == TERRAIN_INSIDE &&
+         hits[(size_t)bottom * view.width_px + x].kind == TERRAIN_INSIDE;
+}
+
 INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, lanes ray_rad, int column, int row) {
   int numbers[3][LANES];
   float places[3][LANES];
@@ -45,7 +60,7 @@ INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView vie
     // Lanes beyond the picture's edge repeat its last pixels.
     const int x = min(column + lane % BLOCK_COLUMNS, view.width_px - 1), y = min(row + lane / BLOCK_COLUMNS, view.height_px - 1);
     const TerrainHit hit = hits[(size_t)y * view.width_px + x];
-    numbers[0][lane] = hit.kind == TERRAIN_MISS ? 0 : -1;
+    numbers[0][lane] = hit.kind == TERRAIN_MISS || hides_mirror(hits, view, x, y) ? 0 : -1;
     numbers[1][lane] = hit.cell_x;
     numbers[2][lane] = hit.cell_z;
     places[0][lane] = hit.kind == TERRAIN_MISS ? 1.0f : hit.distance_m;
@@ -96,6 +111,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                            , {canopy, canopy_map}
 #endif
   };
+  const float4 of_open_ground = light_of_open_ground(light, sky);
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
@@ -111,7 +127,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
 #ifdef LAKES
       terrain.is_hit &= shown_with_lakes(&scenery, rays, terrain);
 #else
-      terrain.is_hit &= shown_by_height(look, rays, terrain.t_m);
+      terrain.is_hit &= shown_by_height(look, rays, terrain);
 #endif
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
       terrain.way_x = turned(view.cell_x, view.fraction_x, terrain.t_m * rays.along_x, field.cells_x);
@@ -142,8 +158,11 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
         const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
         if (x >= view.width_px || y >= view.height_px) continue;
         const size_t pixel = (size_t)y * view.width_px + x;
-        image[pixel] = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
-        edges[pixel] = (float4)(values[4][lane], values[5][lane], values[6][lane], values[3][lane]);
+        const bool is_hiding = hides_mirror(hits, view, x, y);
+        const float4 seen_there = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
+        const float4 edges_there = (float4)(values[4][lane], values[5][lane], values[6][lane], values[3][lane]);
+        image[pixel] = is_hiding ? of_open_ground : seen_there;
+        edges[pixel] = is_hiding ? of_open_ground : edges_there;
       }
     }
   }

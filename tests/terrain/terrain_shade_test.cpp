@@ -161,14 +161,15 @@ TEST(TerrainShadeTest, WaterMirrorsTheSkyAndGoesOnBeyondTheMap) {
   EXPECT_GT(std::min({beyond, on_map, sky}), 99);
 }
 
-// A slope that rises by an eighth to the right. Fails if ground is drawn that lies deeper or higher than
-// asked, if other ground is not, or if the depth does not grow with the square of the distance.
+// A slope that rises by an eighth to the right. Fails if ground is drawn that lies deeper than asked or more
+// than four pixels higher, if other ground is not, or if the depth does not grow with the square of the
+// distance.
 TEST(TerrainShadeTest, HidesWhatIsTooDeepOrTooHigh) {
   const Scene scene;
   constexpr double slope = 0.125, eye_m = 80.0, middle_x_m = 64.0;
   // Heights of rays are sums of floats of 80 m, some ten roundings of 4e-6 m; limits so near are left out.
   constexpr double rounding_m = 1e-3;
-  const terrain::SeaOverTerrain sea{.below_m = 6.0, .bend_perm = 2e-4, .above_m = 11.0};
+  const terrain::SeaOverTerrain sea{.below_m = 6.0, .bend_perm = 2e-4, .above_m = 1.0};
   const std::vector<Texel> image = scene.draw([](int column, int) { return slope * 2.0 * column; }, sea);
   const double pixel = 2.0 * std::tan(0.5 * scene.camera.vertical_field_of_view_rad) / rows_px;
   int shown = 0, deep = 0, high = 0;
@@ -179,10 +180,13 @@ TEST(TerrainShadeTest, HidesWhatIsTooDeepOrTooHigh) {
       const double height_m = slope * (middle_x_m + eye_m * right) / (1.0 + slope * right);
       const double away_m = (eye_m - height_m) * std::hypot(1.0, right, up);
       const double deepest_m = sea.below_m - sea.bend_perm * away_m * away_m;
-      if (std::abs(height_m - deepest_m) < rounding_m || std::abs(height_m - sea.above_m) < rounding_m)
+      // A pixel at the side is smaller, as it is farther away and seen aslant.
+      const double cosine = 1.0 / std::hypot(1.0, right, up);
+      const double highest_m = sea.above_m + 4.0 * pixel * away_m * cosine * std::sqrt(cosine);
+      if (std::abs(height_m - deepest_m) < rounding_m || std::abs(height_m - highest_m) < rounding_m)
         continue;
       const bool is_deep = height_m < deepest_m;
-      const bool is_high = height_m > sea.above_m;
+      const bool is_high = height_m > highest_m;
       deep += is_deep ? 1 : 0;
       high += is_high ? 1 : 0;
       shown += is_deep || is_high ? 0 : 1;
