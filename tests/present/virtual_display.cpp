@@ -12,13 +12,13 @@
 
 namespace offing::test {
 
-std::unique_ptr<VirtualDisplay> VirtualDisplay::start(std::string& reason) {
+std::unique_ptr<VirtualDisplay> VirtualDisplay::start(std::string& reason, const std::string& screen) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::runtime_error("cannot make a pipe");
   // The server picks a free number and writes it to the pipe once it takes connections.
   std::string number_to = std::to_string(ends[1]);
-  std::array<std::string, 9> words{"Xvfb",         "-displayfd", number_to, "-screen", "0",
-                                   "1280x1024x24", "-nolisten",  "tcp",     "-noreset"};
+  std::array<std::string, 9> words{"Xvfb", "-displayfd", number_to, "-screen", "0",
+                                   screen, "-nolisten",  "tcp",     "-noreset"};
   std::array<char*, 10> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
   posix_spawn_file_actions_t actions;

@@ -32,7 +32,7 @@ unsigned id_of(ImGuiWindow* window, const std::string& label, std::optional<int>
 void WindowTest::SetUp() {
   unsetenv("WAYLAND_DISPLAY");
   std::string reason;
-  display_ = VirtualDisplay::start(reason);
+  display_ = VirtualDisplay::start(reason, display_size());
   if (!display_) GTEST_SKIP() << reason;
   hands_ = std::make_unique<Hands>();
   std::filesystem::current_path(folder_.path());  // pictures and scenes are written here

@@ -32,6 +32,9 @@ class WindowTest : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
+  /// The display's, as Xvfb takes it.
+  virtual std::string display_size() const { return "1280x1024x24"; }
+
   /// A small sea, seen by a camera that looks at the sky, in few pixels: frames are quick to draw.
   static present::ViewOptions quick_options();
   /// Opens the window, paused, as large as the display allows.
