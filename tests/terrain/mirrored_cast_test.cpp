@@ -1,14 +1,17 @@
 // What level water mirrors of ground, against rays in double precision (tests/terrain/reference_walk.h).
 #include "host/terrain/cast/mirrored_cast.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/terrain/ray_comparison.h"
+#include "tests/terrain/terrain_painter.h"
 
 namespace offing {
 namespace {
@@ -77,6 +80,40 @@ TEST(MirroredCastTest, SeesWhatIsAboveThePlane) {
   }
   EXPECT_GT(seen, 300u);
   EXPECT_GT(missed, 300u);
+}
+
+// Rays that begin in the ground, 16 pixels from all others: they have the light of open ground, whose albedo
+// in red is 0.11. Nearer ones have that of the ground there, here water. Fails if hidden ground is worked out
+// that no water shows, or if what stands beside the mirror changes.
+TEST(MirroredCastTest, GroundBeforeTheMirrorHasOneLight) {
+  const test::PaintedTerrain scene;
+  test::TerrainPainter painter(island(), scene);
+  constexpr int wide_px = 96, high_px = 72, margin_px = 16;
+  const Camera camera = mirrored(
+      {.eye_m = {60.0, 60.0, 0.0}, .pitch_rad = -0.3, .width_px = wide_px, .height_px = high_px}, plane_m);
+  const std::vector<terrain::Texel> image = painter.draw_mirrored(camera, plane_m);
+  const std::vector<TerrainHit> hits = painter.hits();
+  const auto begins_inside = [&](int column, int row) {
+    const int x = std::clamp(column, 0, wide_px - 1), y = std::clamp(row, 0, high_px - 1);
+    return hits[static_cast<std::size_t>(y * wide_px + x)].kind == TERRAIN_INSIDE;
+  };
+  const double open_kcdpm2 =
+      0.11 / std::numbers::pi *
+      (double{scene.light.sun_red_klx} * std::sin(scene.sun_elevation_rad) + double{scene.light.sky_red_klx});
+  int amid = 0, beside = 0;
+  for (int row = 0; row < high_px; ++row) {
+    for (int column = 0; column < wide_px; ++column) {
+      if (!begins_inside(column, row)) continue;
+      const bool is_amid = begins_inside(column - margin_px, row) && begins_inside(column + margin_px, row) &&
+                           begins_inside(column, row - margin_px) && begins_inside(column, row + margin_px);
+      const terrain::Texel& texel = image[static_cast<std::size_t>(row * wide_px + column)];
+      (is_amid ? amid : beside) += 1;
+      EXPECT_EQ(texel[3], 1.0f) << row << ", " << column;
+      EXPECT_EQ(std::abs(double{texel[0]} - open_kcdpm2) < 1e-4 * open_kcdpm2, is_amid)
+          << row << ", " << column;
+    }
+  }
+  EXPECT_GT(std::min(amid, beside), 99);
 }
 
 }  // namespace

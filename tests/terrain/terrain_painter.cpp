@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/terrain/cast/image_rays.h"
+#include "host/terrain/cast/mirrored_cast.h"
+
 namespace offing::test {
 namespace {
 
@@ -68,6 +71,15 @@ std::vector<Texel> TerrainPainter::draw(const Camera& camera, terrain::TerrainAp
   look.relief = &relief_;
   field_.cast(camera, relief_, hits);
   shade_.at(field_, camera, hits, {light_, sky_, view_table_}, image, look);
+  return image.read();
+}
+
+std::vector<Texel> TerrainPainter::draw_mirrored(const Camera& mirrored, double plane_m) {
+  const std::size_t pixels = terrain::pixel_count(mirrored);
+  ocl::Buffer<TerrainHit>& hits = hits_.emplace(device_, pixels, "hits");
+  ocl::Buffer<Texel> image(device_, pixels, "image");
+  terrain::MirroredCast(device_).at(field_, mirrored, plane_m, hits);
+  shade_.at(field_, mirrored, hits, {light_, sky_, view_table_}, image, {.sampling = {.rays = 1}});
   return image.read();
 }
 

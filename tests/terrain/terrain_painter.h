@@ -31,6 +31,8 @@ class TerrainPainter {
   void show_relief(const terrain::ReliefSettings& settings) { relief_settings_ = settings; }
   /// [height_px][width_px] (r, g, b, coverage).
   std::vector<terrain::Texel> draw(const Camera& camera, terrain::TerrainAppearance look);
+  /// What a level plane shows to a camera that is mirrored in it.
+  std::vector<terrain::Texel> draw_mirrored(const Camera& mirrored, double plane_m);
   /// Of the last picture [height_px][width_px].
   std::vector<TerrainHit> hits() const { return hits_->read(); }
   const ocl::Device& device() const { return device_; }
