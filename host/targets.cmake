@@ -44,8 +44,8 @@ function(offing_configure target)
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-shadow -Wshadow=local>)
   endif()
-  # What g++ 12 says of the flow of values changes with what it inlines, and takes parts of <string> and <optional> for
-  # faults (https://gcc.gnu.org/PR105651, https://gcc.gnu.org/PR80635): it is no error.
+  # g++ 12 gives false warnings of the flow of values in <string> and <optional>, which depend on what it inlines
+  # (https://gcc.gnu.org/PR105651, https://gcc.gnu.org/PR80635): they stay warnings.
   if(OFFING_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-error=restrict -Wno-error=array-bounds -Wno-error=stringop-overflow

@@ -13,7 +13,7 @@ typedef struct {
   int open_sky_stride;
   int open_sky_columns, open_sky_rows;
   // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water
-  // that is drawn over it: it counts as missed, and so does what is pixels above hidden_above_m.
+  // that is drawn over it: it counts as missed, and so does what is several pixels above hidden_above_m.
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
   int material_count;  // of shared/terrain_materials.h
   int sea_goes_on;     // 1: rays that pass by the map meet a sea beyond it

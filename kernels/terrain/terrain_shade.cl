@@ -8,7 +8,8 @@
 //      shared/terrain_canopy.h and its map, as colours: where it has none, anything.
 // Inout: hits; with CANOPY, those behind crowns become hits of the crowns.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
-//      or what they hit is under water that is drawn over it; edges, by which pixels are chosen that need more rays, the same.
+//      or what they hit is under water that is drawn over it; plain light where mirrored rays start inside the ground;
+//      edges, by which pixels are chosen that need more rays, the same.
 #include "terrain/terrain_light.clh"
 #include "terrain/image_rays.clh"
 #ifdef LAKES
@@ -38,29 +39,36 @@ INLINE void write_crowns(TerrainHits terrain, TerrainView view, int column, int 
 }
 #endif
 
-// Mirrored rays begin at the mirror, and in the ground where that stands before it: the water shows those in means over many
-// pixels alone. So many pixels from all others they get the light of any open ground.
+// Whether a mirrored ray starts inside the ground, as do those up to so many pixels away, looked at in steps. The water shows
+// such pixels in means over many alone, so that they get one plain light.
 #define HIDING_MARGIN_PX 16
+#define HIDING_STEP_PX 4
 
+// Rays of the camera itself that start inside the ground have distance 0. Where woods have crowns, whose hits are written here,
+// there are no mirrored ones.
 INLINE bool hides_mirror(__global const TerrainHit *hits, TerrainView view, int x, int y) {
   const TerrainHit hit = hits[(size_t)y * view.width_px + x];
   if (hit.kind != TERRAIN_INSIDE || hit.distance_m == 0.0f) return false;
-  const int left = max(x - HIDING_MARGIN_PX, 0), right = min(x + HIDING_MARGIN_PX, view.width_px - 1);
-  const int top = max(y - HIDING_MARGIN_PX, 0), bottom = min(y + HIDING_MARGIN_PX, view.height_px - 1);
-  return hits[(size_t)y * view.width_px + left].kind == TERRAIN_INSIDE &&
-         hits[(size_t)y * view.width_px + right].kind == TERRAIN_INSIDE &&
-         hits[(size_t)top * view.width_px + x].kind == TERRAIN_INSIDE &&
-         hits[(size_t)bottom * view.width_px + x].kind == TERRAIN_INSIDE;
+  for (int away = HIDING_STEP_PX; away <= HIDING_MARGIN_PX; away += HIDING_STEP_PX) {
+    for (int side = 0; side < 9; ++side) {
+      const int column = clamp(x + away * (side % 3 - 1), 0, view.width_px - 1);
+      const int row = clamp(y + away * (side / 3 - 1), 0, view.height_px - 1);
+      if (hits[(size_t)row * view.width_px + column].kind != TERRAIN_INSIDE) return false;
+    }
+  }
+  return true;
 }
 
-INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, lanes ray_rad, int column, int row) {
+INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, lanes ray_rad, int column, int row,
+                                bool *is_hiding) {
   int numbers[3][LANES];
   float places[3][LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     // Lanes beyond the picture's edge repeat its last pixels.
     const int x = min(column + lane % BLOCK_COLUMNS, view.width_px - 1), y = min(row + lane / BLOCK_COLUMNS, view.height_px - 1);
     const TerrainHit hit = hits[(size_t)y * view.width_px + x];
-    numbers[0][lane] = hit.kind == TERRAIN_MISS || hides_mirror(hits, view, x, y) ? 0 : -1;
+    is_hiding[lane] = hides_mirror(hits, view, x, y);
+    numbers[0][lane] = hit.kind == TERRAIN_MISS || is_hiding[lane] ? 0 : -1;
     numbers[1][lane] = hit.cell_x;
     numbers[2][lane] = hit.cell_z;
     places[0][lane] = hit.kind == TERRAIN_MISS ? 1.0f : hit.distance_m;
@@ -117,7 +125,8 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       const lanes ray_rad = seen_rad(field, view, rays);
-      TerrainHits terrain = terrain_hits(hits, view, ray_rad, column, row);
+      bool is_hiding[LANES];
+      TerrainHits terrain = terrain_hits(hits, view, ray_rad, column, row, is_hiding);
 #ifdef CANOPY
       if (canopy.stands != 0) {
         terrain = crowns_before(&scenery, rays, ray_rad, ray_rad, terrain);
@@ -158,11 +167,12 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
         const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
         if (x >= view.width_px || y >= view.height_px) continue;
         const size_t pixel = (size_t)y * view.width_px + x;
-        const bool is_hiding = hides_mirror(hits, view, x, y);
-        const float4 seen_there = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
-        const float4 edges_there = (float4)(values[4][lane], values[5][lane], values[6][lane], values[3][lane]);
-        image[pixel] = is_hiding ? of_open_ground : seen_there;
-        edges[pixel] = is_hiding ? of_open_ground : edges_there;
+        if (is_hiding[lane]) {
+          image[pixel] = edges[pixel] = of_open_ground;
+          continue;
+        }
+        image[pixel] = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]);
+        edges[pixel] = (float4)(values[4][lane], values[5][lane], values[6][lane], values[3][lane]);
       }
     }
   }

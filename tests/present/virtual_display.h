@@ -9,8 +9,8 @@ namespace offing::test {
 /// A display server without a display (Xvfb), which DISPLAY names while this object lives; ends with it.
 class VirtualDisplay {
  public:
-  /// Its screen is as Xvfb takes it: pixels and their bits. Nothing, with the reason, where Xvfb is not
-  /// installed; throws where it does not start.
+  /// `screen` is WIDTHxHEIGHTxDEPTH. Nothing, with the reason, where Xvfb is not installed; throws where it
+  /// does not start.
   static std::unique_ptr<VirtualDisplay> start(std::string& reason,
                                                const std::string& screen = "1280x1024x24");
   VirtualDisplay(const VirtualDisplay&) = delete;

@@ -57,7 +57,7 @@ struct Sampling {
 struct SeaOverTerrain {
   double below_m = -1e30;
   double bend_perm = 0.0;  ///< the depth grows by this times the square of the distance
-  double above_m = 1e30;   ///< highest ground that is seen, but for four pixels above it
+  double above_m = 1e30;   ///< ground more than four pixels above it is not seen
 };
 
 /// How pictures show woods.

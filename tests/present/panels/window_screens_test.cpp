@@ -100,7 +100,7 @@ struct WindowSize {
 
 class WindowScreensTest : public WindowTest, public testing::WithParamInterface<WindowSize> {
  protected:
-  /// Of all sizes: the mouse gets no farther.
+  /// The largest of the windows: the mouse cannot leave the display.
   std::string display_size() const override { return "3840x2160x24"; }
   void open_all() {
     std::filesystem::create_directory(folder_.path() / "scenes");

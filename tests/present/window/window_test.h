@@ -32,7 +32,7 @@ class WindowTest : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  /// The display's, as Xvfb takes it.
+  /// Of the display: WIDTHxHEIGHTxDEPTH.
   virtual std::string display_size() const { return "1280x1024x24"; }
 
   /// A small sea, seen by a camera that looks at the sky, in few pixels: frames are quick to draw.
