@@ -62,7 +62,7 @@ TerrainPainter::TerrainPainter(const HeightMap& map, const PaintedTerrain& scene
       view_table_(device_, sky_table(scene.haze_kcdpm2), "sky") {}
 
 std::vector<Texel> TerrainPainter::draw(const Camera& camera, terrain::TerrainAppearance look) {
-  const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  const std::size_t pixels = terrain::pixel_count(camera);
   ocl::Buffer<TerrainHit>& hits = hits_.emplace(device_, pixels, "hits");
   ocl::Buffer<Texel> image(device_, pixels, "image");
   const std::vector<terrain::Ray> down{{.origin_m = camera.eye_m}};

@@ -33,7 +33,7 @@ class WindowTest : public testing::Test {
   void TearDown() override;
 
   /// Of the display: WIDTHxHEIGHTxDEPTH.
-  virtual std::string display_size() const { return "1280x1024x24"; }
+  virtual std::string display_size() const { return VirtualDisplay::usual_screen; }
 
   /// A small sea, seen by a camera that looks at the sky, in few pixels: frames are quick to draw.
   static present::ViewOptions quick_options();
