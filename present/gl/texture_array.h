@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "present/gl/gl_objects.h"
 
@@ -22,18 +23,23 @@ class TextureArray {
   /// Floats of all layers.
   std::size_t count() const;
 
-  /// Replaces the finest level: `texels` are floats in memory, or an offset into the buffer bound to
-  /// GL_PIXEL_UNPACK_BUFFER.
+  /// Replaces the texels of all levels; OpenGL makes the coarser ones. `texels` are floats in memory, or an
+  /// offset into the buffer bound to GL_PIXEL_UNPACK_BUFFER.
   void specify(const void* texels) const;
+  /// The same, but makes the coarser levels here: faster where OpenGL draws on the CPU, and each level of a
+  /// layer would be a picture of its own.
+  void specify_levels(std::span<const float> texels) const;
   void bind(int unit) const;
 
  protected:
-  /// Leaves the texture bound.
+  /// A square whose size is a power of two if there are more levels than one. Leaves the texture bound.
   TextureArray(const Shape& shape, int levels);
-  GLuint name() const { return texture_.name(); }
 
  private:
+  void specify_level(int level, const void* texels) const;
+
   Shape shape_;
+  int levels_ = 1;
   GlTexture texture_;
 };
 
@@ -46,9 +52,6 @@ class MapTexture : public TextureArray {
 
   int size() const { return shape().width; }
   int layers() const { return shape().layers; }
-
-  /// Makes the other levels from the finest.
-  void make_levels() const;
 };
 
 }  // namespace offing::present

@@ -40,12 +40,21 @@ std::size_t bytes_of(const Upload& upload) {
 
 class MappedPointer : public Transfer::Way {
  public:
+  explicit MappedPointer(const GlCapabilities& capabilities) : makes_levels_(capabilities.is_software) {}
+
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
       const auto view = upload.source.map();
-      upload.target->specify(view.span().data());
+      if (makes_levels_) {
+        upload.target->specify_levels(view.span());
+      } else {
+        upload.target->specify(view.span().data());
+      }
     }
   }
+
+ private:
+  bool makes_levels_;
 };
 
 class BlockingRead : public Transfer::Way {
@@ -231,12 +240,13 @@ std::string obstacle(TransferPath path, const GlCapabilities& capabilities, cons
   }
 }
 
-std::unique_ptr<Transfer::Way> make_way(TransferPath path, const ocl::Device& device) {
+std::unique_ptr<Transfer::Way> make_way(TransferPath path, const GlCapabilities& capabilities,
+                                        const ocl::Device& device) {
   switch (path) {
     case TransferPath::gl_sharing:
       return std::make_unique<GlSharing>(device);
     case TransferPath::mapped_pointer:
-      return std::make_unique<MappedPointer>();
+      return std::make_unique<MappedPointer>(capabilities);
     case TransferPath::pbo_ring:
       return std::make_unique<PboRing>(device);
     case TransferPath::orphaned_pbo:
@@ -283,7 +293,7 @@ Transfer::Transfer(const GlContext& context, const ocl::Device& device, std::opt
     }
     climb_down(path_);
   } else {
-    way_ = make_way(path_, device_);
+    way_ = make_way(path_, capabilities_, device_);
   }
 }
 
@@ -300,7 +310,7 @@ void Transfer::climb_down(TransferPath from) {
   auto next = static_cast<std::size_t>(from) + 1;
   while (!obstacle(all_transfer_paths[next], capabilities_, device_).empty()) ++next;
   path_ = all_transfer_paths[next];
-  way_ = make_way(path_, device_);
+  way_ = make_way(path_, capabilities_, device_);
 }
 
 void Transfer::upload(std::span<const Upload> uploads) {

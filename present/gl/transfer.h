@@ -47,7 +47,7 @@ class Transfer {
 
   TransferPath path() const;
 
-  /// Waits for the maps and fills the textures' finest levels. Throws Error(bad_usage) if the size of a map
+  /// Waits for the maps and fills the textures, all their levels. Throws Error(bad_usage) if the size of a map
   /// is not that of its texture, and what the last transfer path throws.
   void upload(std::span<const Upload> uploads);
 

@@ -91,8 +91,6 @@ void WaterMaps::prepare(world::World& world, Transfer& transfer) {
   }
   glActiveTexture(GL_TEXTURE0);
   transfer.upload(uploads);
-  for (const MapTexture* map : {&displacement_, &gradient_, &foam_}) map->make_levels();
-  if (world.wakes()) wakes_.make_levels();
   shoals_.prepare(world.shoals());
 }
 
