@@ -115,6 +115,7 @@ void WorldTerrain::set_cover(const TerrainParameters& parameters) {
   parameters_.materials = parameters.materials;
   parameters_.lines = parameters.lines;
   parameters_.relief = parameters.relief;
+  parameters_.finest_detail_m = parameters.finest_detail_m;
   parameters_.colours = parameters.colours;
   parameters_.sees_horizons = parameters.sees_horizons;
 }
@@ -193,7 +194,8 @@ terrain::TerrainAppearance WorldTerrain::look_of(const terrain::Sampling& sampli
           .sea = sea,
           .lakes = lakes_ ? &*lakes_ : nullptr,
           .materials = materials_ ? &*materials_ : nullptr,
-          .canopy = canopy_ ? &*canopy_ : nullptr};
+          .canopy = canopy_ ? &*canopy_ : nullptr,
+          .finest_detail_m = parameters_.finest_detail_m};
 }
 
 void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIllumination& light,

@@ -15,12 +15,13 @@ typedef struct {
   // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water
   // that is drawn over it: it counts as missed, and so does what is several pixels above hidden_above_m.
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
-  int material_count;  // of shared/terrain_materials.h
-  int sea_goes_on;     // 1: rays that pass by the map meet a sea beyond it
+  int material_count;     // of shared/terrain_materials.h
+  int sea_goes_on;        // 1: rays that pass by the map meet a sea beyond it
+  float finest_detail_m;  // patterns of the ground that are finer are seen as their mean
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLook) == 60, "no padding");
+static_assert(sizeof(TerrainLook) == 64, "no padding");
 #endif
 
 #endif

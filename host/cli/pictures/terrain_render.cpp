@@ -75,8 +75,10 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;
   std::optional<terrain::OpenSky> open_sky;
-  terrain::TerrainAppearance look{
-      .sampling = scenery.sampling, .sea_goes_on = scenery.sea_goes_on, .relief = &relief};
+  terrain::TerrainAppearance look{.sampling = scenery.sampling,
+                                  .sea_goes_on = scenery.sea_goes_on,
+                                  .relief = &relief,
+                                  .finest_detail_m = scenery.finest_detail_m};
   if (scenery.colours) look.colours = &colours.emplace(device, *scenery.colours);
   if constexpr (std::is_same_v<Field, terrain::HeightField>) {
     if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);

@@ -45,6 +45,7 @@ struct RenderSettings {
   terrain::Landscape landscape = terrain::Landscape::plain;
   terrain::Canopy canopy;
   double relief = 1.0;
+  double finest_detail_m = 0.0;
   int samples = 0;  ///< 0: as many as a pixel needs
   TerrainShow show = TerrainShow::light;
 };
@@ -89,6 +90,7 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
           {scene::path(&RenderSettings::canopy, &terrain::Canopy::height_m),
            like_scene("terrain.canopy.height_m", "--canopy-height-m")},
           {&RenderSettings::relief, like_scene("terrain.relief", "--relief")},
+          {&RenderSettings::finest_detail_m, like_scene("terrain.finest_detail_m", "--finest-detail-m")},
           {&RenderSettings::samples,
            {.key = "samples",
             .low = 1.0,
@@ -115,6 +117,7 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
   scenery.landscape = settings.landscape;
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   scenery.relief = settings.relief;
+  scenery.finest_detail_m = settings.finest_detail_m;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   scenery.lines.sea_level_m = settings.sea_level_m;
   scenery.lines.tree_line_m = settings.tree_line_m.value_or(scenery.lines.tree_line_m);

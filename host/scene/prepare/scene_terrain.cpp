@@ -242,6 +242,7 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
       .lines = cover_of(scene, heights.latitude_deg),
       .colours = std::move(colours),
       .relief = scene.terrain.relief,
+      .finest_detail_m = scene.terrain.finest_detail_m,
       .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
   terrain.materials = materials_of(scene, terrain.lines);
   terrain.canopy = woods_of(scene, heights, terrain.lines, now, before);

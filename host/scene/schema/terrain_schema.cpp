@@ -250,6 +250,13 @@ std::vector<Row<TerrainScene>> place_rows() {
         .low = 0.0,
         .high = 2.0,
         .help = "strength of the relief drawn between posts near the eye, 0 for none; queries ignore it"}},
+      {&TerrainScene::finest_detail_m,
+       {.key = "finest_detail_m",
+        .unit = "m",
+        .low = 0.0,
+        .high = 1000.0,
+        .help = "finest pattern of the ground that is drawn; finer ones show as their mean, and 120 draws "
+                "fastest"}},
       {choice(&TerrainScene::sky_visibility, {"off", "on"}),
        {.key = "sky_visibility",
         .help = "whether surrounding ground blocks light from the sky; adds a second or two at the start"},

@@ -132,6 +132,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   device_look.hidden_bend_perm = static_cast<float>(look.sea.bend_perm);
   device_look.hidden_above_m = static_cast<float>(look.sea.above_m);
   device_look.sea_goes_on = look.sea_goes_on ? 1 : 0;
+  device_look.finest_detail_m = static_cast<float>(look.finest_detail_m);
   if (look.colours != nullptr) look.colours->describe(device_look);
   if (look.open_sky != nullptr) look.open_sky->describe(device_look);
   device_look.material_count = look.materials != nullptr ? look.materials->count() : 0;
