@@ -100,7 +100,7 @@ test::HeightMap hillside(double slope) {
 }
 
 // Octaves as large as a pixel leave 14 % unexplained, those twice as large 1 %: bound 0.1 where all have the
-// same strength. Found 0.031 ... 0.089; limit 0.1. Detail: found 11 to 31 times that of before, of snow 14
+// same strength. Found 0.011 ... 0.082; limit 0.1. Detail: found 11 to 31 times that of before, of snow 14
 // times; limit 5. The noise of before had an aliasing of 0.2 and so fails both. Fails if ground near the eye
 // is a blur, or if its detail is not that of the ground.
 TEST(TerrainReliefTest, GroundNearTheEyeHasDetailWithoutAliasing) {
@@ -134,7 +134,7 @@ std::vector<double> left_part(const std::vector<double>& image, int columns, int
 }
 
 // Aliasing as above, at the left edge of a picture that is 92 degrees wide, where pixels are narrower by a
-// half and lower by 0.7: found 0.071 on a meadow, limit 0.1. Fails where pixels there show the mean of as
+// half and lower by 0.7: found 0.058 on a meadow, limit 0.1. Fails where pixels there show the mean of as
 // much ground as those in the middle: 0.20.
 TEST(TerrainReliefTest, EdgesOfPicturesAreSharp) {
   const test::HeightMap map = hillside(0.4);
@@ -199,7 +199,7 @@ TEST(TerrainReliefTest, ShadedSandShowsItsRelief) {
 }
 
 // A meadow uphill, 8 to 70 m away: tufts and flowers become smaller than pixels. Aliasing as above: found
-// 0.096, limit 0.1. Fails where they end at once where pixels are 0.6 of a tuft: 0.155.
+// 0.075, limit 0.1. Fails where they end at once where pixels are 0.6 of a tuft: 0.155.
 TEST(TerrainReliefTest, TuftsAndFlowersFadeWithTheDistance) {
   const test::HeightMap map = hillside(0.5);
   test::TerrainPainter painter(map, low_ground(map, -1e5f));
@@ -211,7 +211,7 @@ TEST(TerrainReliefTest, TuftsAndFlowersFadeWithTheDistance) {
 }
 
 // A meadow 2 to 4 m away, where pixels are as wide as blades of grass and up to three times as long. Aliasing
-// as above: found 0.041, limit 0.06. Fails where pixels show as little of blades that point to the eye as of
+// as above: found 0.034, limit 0.06. Fails where pixels show as little of blades that point to the eye as of
 // those that lie across: 0.084.
 TEST(TerrainReliefTest, BladesOfGrassShowThatPointToTheEye) {
   const test::HeightMap map = hillside(0.1);
