@@ -62,8 +62,8 @@ struct TerrainParameters {
   CoverLines lines;
   std::shared_ptr<const ColourMap> colours = {};  ///< none: cover by height and slope
   double relief = 1.0;                            ///< strength of relief between posts, near the eye
-  double finest_detail_m = 0.0;                   ///< patterns of the ground that are finer are not drawn
-  bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
+  double finest_detail_m = 0.0;  ///< patterns of the ground that are finer show as their mean
+  bool sees_horizons = false;    ///< whether ground hides the sky's light from ground
   std::vector<LakeSettings> lakes = {};
   std::vector<terrain::Material> materials = {};  ///< over the cover by height and slope
   std::optional<terrain::Canopy> canopy = {};     ///< woods over all of these

@@ -9,6 +9,8 @@
 #define TERRAIN_ONE_RAY 0
 #define TERRAIN_FEW_RAYS 1  // a quarter of many
 #define TERRAIN_MANY_RAYS 2
+// Those that need many differ from a neighbour by so many times as much as those that need few.
+#define TERRAIN_MANY_CONTRASTS 3.3f
 
 // Sun, sky and air over terrain, and where its cover changes.
 typedef struct {

@@ -17,7 +17,7 @@ typedef struct {
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
   int material_count;     // of shared/terrain_materials.h
   int sea_goes_on;        // 1: rays that pass by the map meet a sea beyond it
-  float finest_detail_m;  // patterns of the ground that are finer are seen as their mean
+  float finest_detail_m;  // patterns of the ground that are finer show as their mean
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__

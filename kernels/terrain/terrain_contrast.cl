@@ -1,8 +1,8 @@
 // How many rays pixels need: by how much their light differs from that of a pixel beside, above or below them, as a share
 // of the brighter one's luminance. Edges, and detail finer than pixels, differ so.
 // In:  image [height_px][width_px] (r, g, b, coverage) of terrain/terrain_shade.cl; least_contrast.
-// Out: needs [height_px][width_px] of shared/terrain_light_params.h: many where coverage changes or the contrast is 3.3 times
-//      the least or more, few where it is more than the least.
+// Out: needs [height_px][width_px] of shared/terrain_light_params.h: many where coverage changes or the contrast is
+//      TERRAIN_MANY_CONTRASTS times the least or more, few where it is more than the least.
 #include "shared/terrain_light_params.h"
 
 __kernel void terrain_contrast(__global const float4 *restrict edges, int width_px, int height_px, float least_contrast,
@@ -20,7 +20,7 @@ __kernel void terrain_contrast(__global const float4 *restrict edges, int width_
     const float most = max(difference.x, max(difference.y, difference.z));
     const float least = least_contrast * max(dot(here, luminance), dot(there, luminance));
     if (most > least) need = max(need, (uchar)TERRAIN_FEW_RAYS);
-    if (most > 3.3f * least || difference.w > 0.0f) need = TERRAIN_MANY_RAYS;
+    if (most > TERRAIN_MANY_CONTRASTS * least || difference.w > 0.0f) need = TERRAIN_MANY_RAYS;
   }
   needs[row + x] = need;
 }

@@ -26,13 +26,13 @@ class TextureArray {
   /// Replaces the texels of all levels; OpenGL makes the coarser ones. `texels` are floats in memory, or an
   /// offset into the buffer bound to GL_PIXEL_UNPACK_BUFFER.
   void specify(const void* texels) const;
-  /// The same, but makes the coarser levels here: faster where OpenGL draws on the CPU, and each level of a
-  /// layer would be a picture of its own.
+  /// The same, but works the coarser levels out on the CPU. This is faster where OpenGL itself draws on the
+  /// CPU.
   void specify_levels(std::span<const float> texels) const;
   void bind(int unit) const;
 
  protected:
-  /// A square whose size is a power of two if there are more levels than one. Leaves the texture bound.
+  /// With more than one level, width and height are the same power of two. Leaves the texture bound.
   TextureArray(const Shape& shape, int levels);
 
  private:

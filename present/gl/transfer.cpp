@@ -38,36 +38,43 @@ std::size_t bytes_of(const Upload& upload) {
   return upload.source.size() * sizeof(float);
 }
 
+void specify(const TextureArray& target, std::span<const float> texels, const GlCapabilities& capabilities) {
+  if (capabilities.is_software) {
+    target.specify_levels(texels);
+  } else {
+    target.specify(texels.data());
+  }
+}
+
 class MappedPointer : public Transfer::Way {
  public:
-  explicit MappedPointer(const GlCapabilities& capabilities) : makes_levels_(capabilities.is_software) {}
+  explicit MappedPointer(const GlCapabilities& capabilities) : capabilities_(capabilities) {}
 
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
       const auto view = upload.source.map();
-      if (makes_levels_) {
-        upload.target->specify_levels(view.span());
-      } else {
-        upload.target->specify(view.span().data());
-      }
+      specify(*upload.target, view.span(), capabilities_);
     }
   }
 
  private:
-  bool makes_levels_;
+  GlCapabilities capabilities_;
 };
 
 class BlockingRead : public Transfer::Way {
  public:
+  explicit BlockingRead(const GlCapabilities& capabilities) : capabilities_(capabilities) {}
+
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
       staging_.resize(upload.source.size());
       upload.source.read(staging_);
-      upload.target->specify(staging_.data());
+      specify(*upload.target, staging_, capabilities_);
     }
   }
 
  private:
+  GlCapabilities capabilities_;
   std::vector<float> staging_;
 };
 
@@ -252,7 +259,7 @@ std::unique_ptr<Transfer::Way> make_way(TransferPath path, const GlCapabilities&
     case TransferPath::orphaned_pbo:
       return std::make_unique<OrphanedPbo>();
     default:
-      return std::make_unique<BlockingRead>();
+      return std::make_unique<BlockingRead>(capabilities);
   }
 }
 

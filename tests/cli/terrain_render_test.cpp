@@ -129,6 +129,22 @@ TEST_F(TerrainRender, DrawsReliefBetweenPosts) {
   EXPECT_NEAR(depth_m[65 * 32 + 32], 40.0, 6.0);
 }
 
+// Fails if the flag does not come to the picture: patterns near the eye.
+TEST_F(TerrainRender, LeavesOutFineDetail) {
+  const auto deviation = [&](const char* finest_m) {
+    EXPECT_EQ(render({"--camera", "500,102,500,0,-60", "--size", "64x64", "--relief", "0", "--force",
+                      "--finest-detail-m", finest_m})
+                  .exit_code,
+              0);
+    const RgbImage image = read_png(path("out.png"));
+    double sum = 0.0, squares = 0.0;
+    for (const auto value : image.rgb) sum += value, squares += 1.0 * value * value;
+    const auto count = static_cast<double>(image.rgb.size());
+    return squares / count - sum * sum / count / count;
+  };
+  EXPECT_LT(deviation("120"), 0.9 * deviation("0"));
+}
+
 // Above the horizon of "walk" there is sky, below it the level ground: half the picture each, but for the row
 // at the horizon. Fails if relief hides more, or the eye stands on the map's surface in spite of it.
 TEST_F(TerrainRender, WalksOnTheGround) {

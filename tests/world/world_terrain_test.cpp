@@ -134,6 +134,24 @@ TEST_F(WorldTerrainTest, LaysReliefAnewWhereTheViewChanges) {
   EXPECT_EQ(heights_m(world, standing), first);
 }
 
+// Fails if the detail of the ground that is asked for does not come to pictures.
+TEST_F(WorldTerrainTest, DrawsTheDetailThatIsAskedFor) {
+  WorldParameters dry = parameters();
+  World world(device_, dry);
+  const auto light = [&] {
+    world.at(0.0, camera().eye_m.y);
+    world.see_terrain(camera());
+    return world.terrain()->image().image.read();
+  };
+  const auto fine = light();
+  dry.terrain->finest_detail_m = 120.0;
+  world.set_terrain(dry.terrain);
+  EXPECT_NE(light(), fine);
+  dry.terrain->finest_detail_m = 0.0;
+  world.set_terrain(dry.terrain);
+  EXPECT_EQ(light(), fine);
+}
+
 // Fails if planes or image are not of the hits, pixel by pixel.
 TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   World world(device_, parameters());

@@ -30,7 +30,7 @@ struct TerrainScenery {
   terrain::Landscape landscape = terrain::Landscape::plain;
   std::optional<terrain::Canopy> canopy = {};  ///< woods; none: there are none
   double relief = 1.0;                         ///< strength of relief between posts, near the eye
-  double finest_detail_m = 0.0;                ///< patterns of the ground that are finer are not drawn
+  double finest_detail_m = 0.0;                ///< patterns of the ground that are finer show as their mean
 
   terrain::ReliefSettings relief_settings() const;
 };

@@ -37,7 +37,7 @@ struct TerrainScene {
   std::vector<terrain::Material> materials;  ///< [[terrain.material]]: over those of the landscape
   CanopyScene canopy;
   double relief = 1.0;           ///< strength of relief between posts, near the eye; 0: none
-  double finest_detail_m = 0.0;  ///< patterns of the ground that are finer are not drawn
+  double finest_detail_m = 0.0;  ///< patterns of the ground that are finer show as their mean
 };
 
 /// [[lake]]: still water in a basin of the terrain.

@@ -255,8 +255,10 @@ std::vector<Row<TerrainScene>> place_rows() {
         .unit = "m",
         .low = 0.0,
         .high = 1000.0,
-        .help = "finest pattern of the ground that is drawn; finer ones show as their mean, and 120 draws "
-                "fastest"}},
+        .help =
+            "size of the smallest patterns of the ground; smaller ones show as their mean, 0 draws all, 120 "
+            "is fastest",
+        .slider = {{0.0, 120.0}}}},
       {choice(&TerrainScene::sky_visibility, {"off", "on"}),
        {.key = "sky_visibility",
         .help = "whether surrounding ground blocks light from the sky; adds a second or two at the start"},

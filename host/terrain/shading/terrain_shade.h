@@ -45,8 +45,9 @@ struct TerrainIllumination {
 
 /// Rays a pixel. All pixels get one. Those whose light differs from that of a neighbour by more than a share
 /// of the brighter one's luminance get a quarter of `rays` of their own instead, and all of them where it
-/// differs by 3.3 times as much or where the ground ends; they are spread evenly over the pixel. The light
-/// is that of ground without relief, and greyer: materials are filtered over the pixel as they are computed.
+/// differs by TERRAIN_MANY_CONTRASTS times as much or where the ground ends; they are spread evenly over the
+/// pixel. The light is that of ground without relief, and greyer: materials are filtered over the pixel as
+/// they are computed.
 struct Sampling {
   int rays = 16;                 ///< 1 ... 4096; 1: no pixel gets more
   double least_contrast = 0.15;  ///< below 0: all pixels get all of them
@@ -79,7 +80,7 @@ struct TerrainAppearance {
   /// Whether rays that pass by the map meet a sea beyond it, at TerrainLight::sea_level_m.
   bool sea_goes_on = false;
   const ReliefSurface* relief = nullptr;  ///< that the hits are of; none: they are those of the field
-  double finest_detail_m = 0.0;           ///< patterns of the ground that are finer are seen as their mean
+  double finest_detail_m = 0.0;           ///< patterns of the ground that are finer show as their mean
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft

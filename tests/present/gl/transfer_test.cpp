@@ -74,30 +74,33 @@ TEST_P(TransferTest, BringsEveryTexel) {
 
 // Fails if a coarser level is not the mean of the finest one's texels, of its own layer and channel.
 TEST_P(TransferTest, FillsAllLevels) {
-  constexpr int size = 16, layers = 3, channels = 4;
-  const MapTexture texture(size, layers, channels);
-  ocl::Buffer<float> source(device_, texture.count(), "map");
-  const auto index = [](int layer, int y, int x, int channel, int width) {
-    return static_cast<std::size_t>(((layer * width + y) * width + x) * channels + channel);
-  };
-  std::vector<float> values(texture.count());
-  std::mt19937 random(7);  // the same numbers everywhere
-  for (float& value : values) value = static_cast<float>(random() % 4096);
-  source.write(values);
-  const std::array<Upload, 1> uploads{{{source, &texture}}};
-  paths_->upload(uploads);
-  for (int level = 1; size >> level > 0; ++level) {
-    const std::vector<float> texels = texels_of(texture, GL_RGBA, level);
-    const int width = size >> level, covered = 1 << level;
-    for (int place = 0; place < layers * width * width * channels; ++place) {
-      const int channel = place % channels, x = place / channels % width, y = place / channels / width % width;
-      const int layer = place / channels / width / width;
-      double sum = 0.0;
-      for (int i = 0; i < covered * covered; ++i)
-        sum += values[index(layer, y * covered + i / covered, x * covered + i % covered, channel, size)];
-      // A few roundings of numbers below 4096.
-      EXPECT_NEAR(texels[index(layer, y, x, channel, width)], sum / (covered * covered), 2e-3)
-          << "level " << level << ", layer " << layer << ", place " << x << ", " << y;
+  constexpr int size = 16, layers = 3;
+  for (const int channels : {1, 4}) {
+    const MapTexture texture(size, layers, channels);
+    ocl::Buffer<float> source(device_, texture.count(), "map");
+    const auto index = [&](int layer, int y, int x, int channel, int width) {
+      return static_cast<std::size_t>(((layer * width + y) * width + x) * channels + channel);
+    };
+    std::vector<float> values(texture.count());
+    std::mt19937 random(7);  // the same numbers everywhere
+    for (float& value : values) value = static_cast<float>(random() % 4096);
+    source.write(values);
+    const std::array<Upload, 1> uploads{{{source, &texture}}};
+    paths_->upload(uploads);
+    for (int level = 1; size >> level > 0; ++level) {
+      const std::vector<float> texels = texels_of(texture, channels == 1 ? GL_RED : GL_RGBA, level);
+      const int width = size >> level, covered = 1 << level;
+      for (int place = 0; place < layers * width * width * channels; ++place) {
+        const int channel = place % channels, x = place / channels % width,
+                  y = place / channels / width % width;
+        const int layer = place / channels / width / width;
+        double sum = 0.0;
+        for (int i = 0; i < covered * covered; ++i)
+          sum += values[index(layer, y * covered + i / covered, x * covered + i % covered, channel, size)];
+        // A few roundings of numbers below 4096.
+        EXPECT_NEAR(texels[index(layer, y, x, channel, width)], sum / (covered * covered), 2e-3)
+            << channels << " channels, level " << level << ", layer " << layer << ", " << x << ", " << y;
+      }
     }
   }
 }
