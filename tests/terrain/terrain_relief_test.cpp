@@ -211,30 +211,39 @@ TEST(TerrainReliefTest, TuftsAndFlowersFadeWithTheDistance) {
   EXPECT_LE(aliasing, 0.1);
 }
 
-// A meadow where pixels are about as wide as blades of grass, or narrower, but up to ten times as long:
-// from 2 to 4 m and, in a picture that is as fine as one of 6,000 columns, from 8 to 14 m. Aliasing as above:
-// found 0.000 and 0.000, limit 0.06. Fails where pixels show as little of blades that point to the eye as of
-// those that lie across: 0.000 and 0.000; or where one place of a footprint shows all its blades: 0.000 in
-// the second.
+// A meadow where pixels are about as wide as blades of grass, or narrower, but up to ten times as long: from
+// 2 to 4 m and, in a picture as fine as one of 6,000 columns, about 20 m away. Aliasing as above: found 0.034
+// and 0.046, limit 0.052. Fails where pixels show as little of blades that point to the eye as of those that
+// lie across, 0.084 and 0.070, or show those of one place of their footprint alone, 0.058 far away.
 TEST(TerrainReliefTest, BladesOfGrassShowThatPointToTheEye) {
   struct View {
     double pitch_deg, field_of_view_deg;
   };
   const test::HeightMap map = hillside(0.1);
   test::TerrainPainter painter(map, low_ground(map, -1e5f));
-  for (const View& view : {View{-33.0, 9.0}, View{-9.0, 1.5}}) {
+  for (const View& view : {View{-33.0, 9.0}, View{-5.0, 1.0}}) {
     Camera camera = on_foot(40.0, 0.5 * std::numbers::pi);
     camera.pitch_rad = view.pitch_deg / 180.0 * std::numbers::pi;
     camera.vertical_field_of_view_rad = view.field_of_view_deg / 180.0 * std::numbers::pi;
     const double aliasing = detail_of(painter, camera).aliasing;
     std::printf("blades: aliasing %.3f\n", aliasing);
-    EXPECT_LE(aliasing, 0.06) << view.pitch_deg;
+    EXPECT_LE(aliasing, 0.052) << view.pitch_deg;
   }
+}
+
+/// Straight down from so far above the ground, which is level from left to right.
+Camera from_above(double south_m, double ground_m, double above_m) {
+  return {.eye_m = {400.0, ground_m + above_m, south_m},
+          .yaw_rad = 0.0,
+          .pitch_rad = -0.499 * std::numbers::pi,
+          .vertical_field_of_view_rad = 0.4,
+          .width_px = 320,
+          .height_px = 320};
 }
 
 // A meadow near the eye, and 600 m of it from above. Without detail finer than the largest cells of the noise
 // of materials, 64 m, none of the gradient energy is left, limit 0.01; without detail finer than a metre
-// 0.000 of it, limit 0.1. The mean light from above stays, found within 0.000; limit 0.01. Fails if the
+// 0.002 of it, limit 0.01. The mean light from above stays, found within 0.0025; limit 0.01. Fails if the
 // setting does nothing, leaves tufts, or makes the ground darker or brighter.
 TEST(TerrainReliefTest, GroundWithoutFineDetailIsItsMean) {
   const test::HeightMap map = hillside(0.1);
@@ -244,7 +253,7 @@ TEST(TerrainReliefTest, GroundWithoutFineDetailIsItsMean) {
   };
   const Camera near = on_foot(40.0, 0.5 * std::numbers::pi), above = from_above(400.0, 40.0, 1500.0);
   const double whole = gradient_energy(light_of(near, 0.0)), light = mean_of(light_of(above, 0.0));
-  for (const auto [finest_m, limit] : {std::pair(120.0, 0.01), std::pair(1.0, 0.1)}) {
+  for (const auto& [finest_m, limit] : {std::pair(120.0, 0.01), std::pair(1.0, 0.01)}) {
     const double left = gradient_energy(light_of(near, finest_m)) / whole;
     const double brighter = mean_of(light_of(above, finest_m)) / light - 1.0;
     std::printf("finest %.0f m: %.4f of the gradient energy, %.4f brighter\n", finest_m, left, brighter);
