@@ -134,10 +134,10 @@ INLINE void sum_light(const Scenery *scenery, TerrainView view, int_lanes first_
 #else
     const Hits hits = first_hits(scenery->terrain, first_level, &ray_setup);
 #endif
-    const HitPlaces hit_places = places_of_hits(scenery->terrain, ray_setup.ray, hits);
+    const HitPlaces places = places_of_hits(scenery->terrain, ray_setup.ray, hits);
     const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
-    TerrainHits on_ground = {is_met, hit_places.cell_x, hit_places.cell_z, t_m, hit_places.u, hit_places.v, t_m * sample_rad,
+    TerrainHits on_ground = {is_met, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                              (lanes)1.0f, (lanes)1.0f, (lanes)0.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
     on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
