@@ -43,6 +43,7 @@ void TerrainImage::fit(const ocl::Device& device, const Camera& camera) {
   const std::size_t pixels = terrain::pixel_count(camera);
   hits = ocl::Buffer<TerrainHit>(device, pixels, "ground's hits");
   image = ocl::Buffer<terrain::Texel>(device, pixels, "ground's image");
+  distances = ocl::Buffer<float>(device, pixels, "ground's distances");
   planes = ocl::Buffer<float>(device, terrain::HitPlanes::plane_count * pixels, "ground's planes");
   width_px = camera.width_px;
   height_px = camera.height_px;
@@ -65,6 +66,7 @@ WorldTerrain::WorldTerrain(const ocl::Device& device, const TerrainParameters& p
       posts_(parameters.posts()),
       shade_(device),
       hit_planes_(device),
+      edge_distances_(device),
       mirrored_cast_(device),
       relief_(device) {
   if (parameters.map) {
@@ -202,7 +204,6 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
                          const terrain::Sampling& sampling, const terrain::SeaOverTerrain& sea,
                          TerrainImage& picture) {
   picture.fit(device_, camera);
-  picture.sea = sea;
   look_at_lakes(camera, light);
   terrain::TerrainAppearance look = look_of(sampling, sea);
   look.relief = &relief_;
@@ -213,12 +214,13 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
     tiles_->cast(camera, relief_, picture.hits);
     shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
   }
-  hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.planes);
-  if (!lakes_) return;
+  hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.distances, picture.planes);
   if (field_) {
-    lakes_->stand_before(*field_, camera, picture.hits, picture.planes);
+    if (lakes_) lakes_->stand_before(*field_, camera, picture.hits, picture.distances);
+    edge_distances_.at(*field_, camera, sea, picture.image, picture.distances, picture.planes);
   } else {
-    lakes_->stand_before(*tiles_, camera, picture.hits, picture.planes);
+    if (lakes_) lakes_->stand_before(*tiles_, camera, picture.hits, picture.distances);
+    edge_distances_.at(*tiles_, camera, sea, picture.image, picture.distances, picture.planes);
   }
 }
 
@@ -285,7 +287,8 @@ void WorldTerrain::mirror_at(const Camera& mirrored, double plane_m, const sky::
   look.woods = terrain::WoodsShape::even;
   shade_.at(*field_, mirrored, mirrored_.hits, {light.light, sky.params(), sky.view_table(), light.clouds},
             mirrored_.image, look);
-  hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.planes);
+  hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.distances, mirrored_.planes);
+  edge_distances_.at(*field_, mirrored, {}, mirrored_.image, mirrored_.distances, mirrored_.planes);
 }
 
 }  // namespace offing::world

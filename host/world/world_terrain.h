@@ -20,6 +20,7 @@
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/shading/canopy.h"
 #include "host/terrain/shading/colour_layer.h"
+#include "host/terrain/shading/edge_distances.h"
 #include "host/terrain/shading/materials.h"
 #include "host/terrain/shading/open_sky.h"
 #include "host/terrain/shading/terrain_shade.h"
@@ -38,9 +39,11 @@ struct TerrainImage {
   ocl::Buffer<TerrainHit> hits = {};
   /// [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, premultiplied.
   ocl::Buffer<terrain::Texel> image = {};
-  /// [2][height_px][width_px]: distance m, +inf where there is no ground; steps of the ray.
+  /// [height_px][width_px]: along the pixel's own ray to the ground or a lake, m; +inf where there is none.
+  ocl::Buffer<float> distances = {};
+  /// [2][height_px][width_px]: the distance at which the ground is drawn, m (terrain::EdgeDistances); steps
+  /// of the ray.
   ocl::Buffer<float> planes = {};
-  terrain::SeaOverTerrain sea = {};
 
   /// Gives it the size of the camera's picture.
   void fit(const ocl::Device& device, const Camera& camera);
@@ -177,6 +180,7 @@ class WorldTerrain {
   std::optional<terrain::TiledField> tiles_;   // or this
   terrain::TerrainShade shade_;
   terrain::HitPlanes hit_planes_;
+  terrain::EdgeDistances edge_distances_;
   terrain::MirroredCast mirrored_cast_;
   terrain::ReliefSurface relief_;  // of the eye of the last at()
   std::optional<ReliefView> laid_;

@@ -162,7 +162,7 @@ bool Frame::draw(world::World& world, const FrameRequest& request) {
     sky_.prepare(world.sky());
     if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
     meshes_.prepare(world);
-    if (sees_terrain) terrain_.prepare(world.terrain()->image(), request.camera, transfer_);
+    if (sees_terrain) terrain_.prepare(world.terrain()->image(), transfer_);
   }
   if (shows_steps) {
     const StageTimes::Scope stage(times_, Stage::terrain);

@@ -152,7 +152,7 @@ TEST_F(WorldTerrainTest, DrawsTheDetailThatIsAskedFor) {
   EXPECT_EQ(light(), fine);
 }
 
-// Fails if planes or image are not of the hits, pixel by pixel.
+// Fails if distances, planes or image are not of the hits, pixel by pixel.
 TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   World world(device_, parameters());
   world.at(0.0, camera().eye_m.y);
@@ -160,6 +160,7 @@ TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   const WorldTerrain& terrain = *world.terrain();
   ASSERT_TRUE(terrain.is_in_reach());
   const auto hits = terrain.image().hits.read();
+  const auto distances = terrain.image().distances.read();
   const auto planes = terrain.image().planes.read();
   const auto image = terrain.image().image.read();
   ASSERT_EQ(hits.size(), 61u * 35u);
@@ -167,7 +168,10 @@ TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   ASSERT_EQ(image.size(), hits.size());
   std::size_t seen = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    EXPECT_EQ(planes[i], hits[i].distance_m);
+    EXPECT_EQ(distances[i], hits[i].distance_m);
+    if (image[i][3] == 0.0f || image[i][3] == 1.0f) {
+      EXPECT_EQ(planes[i], hits[i].distance_m);
+    }
     EXPECT_EQ(planes[hits.size() + i], static_cast<float>(hits[i].steps));
     if (hits[i].kind == TERRAIN_MISS) continue;
     ++seen;

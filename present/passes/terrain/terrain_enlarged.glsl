@@ -1,7 +1,5 @@
 // The ground under a pixel of the picture, of a coarser view.
 
-uniform sampler2D terrain_distances;  // terrain_distance.frag, row 0 at the bottom
-
 // Texels whose distances differ by more than this share show different slopes.
 const float one_slope = 0.1;
 
@@ -18,8 +16,7 @@ Terrain terrain_here() {
   for (int i = 0; i < 4; ++i) {
     ivec2 step = ivec2(i & 1, i >> 1);
     ivec2 texel = clamp(ivec2(corner) + step, ivec2(0), last);
-    texels[i] = Terrain(texelFetch(terrain_image, ivec3(texel, 0), 0),
-                        texelFetch(terrain_distances, ivec2(texel.x, last.y - texel.y), 0).r);
+    texels[i] = terrain_texel(texel);
     weights[i] = (step.x == 1 ? share.x : 1.0 - share.x) * (step.y == 1 ? share.y : 1.0 - share.y);
     if (weights[i] > weights[nearest]) nearest = i;
   }

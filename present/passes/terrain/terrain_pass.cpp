@@ -13,7 +13,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int terrain_image_unit = 0, planes_unit = 1, distances_unit = 2;
+constexpr int terrain_image_unit = 0, planes_unit = 1;
 
 std::vector<ShaderPart> terrain_shaders(std::initializer_list<const char*> last) {
   std::vector<ShaderPart> parts{
@@ -43,8 +43,6 @@ void fit(TextureArray& texture, const TextureArray::Shape& shape) {
 TerrainPass::TerrainPass()
     : exact_(light_program("terrain/terrain_exact.glsl")),
       enlarged_(light_program("terrain/terrain_enlarged.glsl")),
-      distance_({.vertex = {shader_file("screen.vert")},
-                 .fragment = terrain_shaders({"terrain/terrain_distance.frag"})}),
       steps_(steps_program()),
       block_("TerrainPass", pass_binding),
       no_vertices_(GlVertexArray::make()) {}
@@ -53,30 +51,13 @@ bool TerrainPass::is_exact(const Camera& camera) const {
   return image_.shape().width == camera.width_px && image_.shape().height == camera.height_px;
 }
 
-void TerrainPass::draw_distances(const Camera& camera) {
-  const TextureArray::Shape& seen = image_.shape();
-  if (distances_.width() != seen.width || distances_.height() != seen.height)
-    distances_ = RenderTarget(seen.width, seen.height, GL_R32F, RenderTarget::Depth::none);
-  distances_.bind();
-  bind(distance_);
-  glsl::TerrainUniforms values{};
-  values.hidden_below_m = static_cast<float>(sea_.below_m);
-  values.hidden_bend_perm = static_cast<float>(sea_.bend_perm);
-  block_.fill(view_uniforms(camera), values);
-  block_.bind(distance_);
-  glDisable(GL_DEPTH_TEST);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void TerrainPass::prepare(const world::TerrainImage& terrain, const Camera& camera, Transfer& transfer) {
+void TerrainPass::prepare(const world::TerrainImage& terrain, Transfer& transfer) {
   glActiveTexture(GL_TEXTURE0);
   const int width = terrain.width_px, height = terrain.height_px;
   fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
   fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
   const std::array<Upload, 2> uploads{{{terrain.image, &image_}, {terrain.planes, &planes_}}};
   transfer.upload(uploads);
-  sea_ = terrain.sea;
-  if (!is_exact(camera)) draw_distances(camera);
 }
 
 void TerrainPass::bind(const ShaderProgram& program) const {
@@ -91,10 +72,7 @@ void TerrainPass::bind(const ShaderProgram& program) const {
 void TerrainPass::draw(const Camera& camera, Part part, LayerLight light) {
   const ShaderProgram& program = is_exact(camera) ? exact_ : enlarged_;
   bind(program);
-  if (!is_exact(camera)) bind_sampler(program, "terrain_distances", distances_unit, distances_.texture());
   glsl::TerrainUniforms values{};
-  values.hidden_below_m = static_cast<float>(sea_.below_m);
-  values.hidden_bend_perm = static_cast<float>(sea_.bend_perm);
   values.draws_edges = part == Part::edges ? 1 : 0;
   block_.fill(view_uniforms(camera), values);
   block_.bind(program);

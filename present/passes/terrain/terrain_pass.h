@@ -3,7 +3,6 @@
 #include "host/base/camera.h"
 #include "host/world/world_terrain.h"
 #include "present/gl/gl_objects.h"
-#include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
@@ -20,8 +19,8 @@ class TerrainPass {
  public:
   TerrainPass();
 
-  /// Copies what was seen into textures, for pictures of this camera.
-  void prepare(const world::TerrainImage& terrain, const Camera& camera, Transfer& transfer);
+  /// Copies what was seen into textures.
+  void prepare(const world::TerrainImage& terrain, Transfer& transfer);
 
   /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,
   /// at its edges, which go over what lies behind.
@@ -33,15 +32,12 @@ class TerrainPass {
 
  private:
   bool is_exact(const Camera& camera) const;
-  void draw_distances(const Camera& camera);
   void bind(const ShaderProgram& program) const;
 
-  ShaderProgram exact_, enlarged_, distance_, steps_;
+  ShaderProgram exact_, enlarged_, steps_;
   UniformBlock<glsl::ViewUniforms, glsl::TerrainUniforms> block_;
   GlVertexArray no_vertices_;
   TextureArray image_, planes_;
-  RenderTarget distances_;  // of an enlarged view's texels
-  terrain::SeaOverTerrain sea_;
 };
 
 }  // namespace offing::present

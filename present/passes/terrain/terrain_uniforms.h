@@ -8,10 +8,8 @@ namespace offing::present::glsl {
 #endif
 
 struct TerrainUniforms {
-  vec4 step_marks[4];      // r, g, b and the steps of that colour
-  float hidden_below_m;    // height of the sea that hides terrain (SeaOverTerrain)
-  float hidden_bend_perm;  // how it bends down with the distance
-  int draws_edges;         // 0: pixels that terrain covers, 1: those that it covers in part
+  vec4 step_marks[4];  // r, g, b and the steps of that colour
+  int draws_edges;     // 0: pixels that terrain covers, 1: those that it covers in part
 };
 
 #ifdef __cplusplus

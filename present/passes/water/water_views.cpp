@@ -54,7 +54,7 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
   // One ray a pixel: no pixel is covered in part.
   world.see_mirrored_terrain(from_below.camera);
   if (world.terrain() != nullptr && world.terrain()->mirrored() != nullptr) {
-    mirrored_terrain_.prepare(*world.terrain()->mirrored(), from_below.camera, transfer);
+    mirrored_terrain_.prepare(*world.terrain()->mirrored(), transfer);
     mirrored_.bind();
     mirrored_terrain_.draw(from_below.camera, TerrainPass::Part::covered);
   }
@@ -76,7 +76,7 @@ void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, 
   begin(beneath_, request.camera);
   world.see_terrain_beneath(request.camera);
   if (world.terrain() != nullptr && world.terrain()->beneath() != nullptr) {
-    terrain_beneath_.prepare(*world.terrain()->beneath(), request.camera, transfer);
+    terrain_beneath_.prepare(*world.terrain()->beneath(), transfer);
     beneath_.bind();
     terrain_beneath_.draw(request.camera, TerrainPass::Part::covered);
   }
