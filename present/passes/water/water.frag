@@ -31,6 +31,10 @@ vec3 hidden_at(int cascade, float level) {
              water.hidden_slopes[cascade * water.level_count + below + 1].xyz, place - float(below));
 }
 
+// How wide a facet sees what it mirrors, in parts of its `blur`. It stands for half of the slopes, whose rays spread over
+// eight along the view and less across it. Six comes nearest to means over 64 finer pixels, of 4, 5, 6, 8 and 12.
+const float facet_width = 6.0;
+
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
 // ray that is mirrored downward meets another wave, taken as level there.
 FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
@@ -38,7 +42,7 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   vec3 ray = reflect(-v, normal);
   vec3 upward = normalize(vec3(ray.x, sqrt(ray.y * ray.y + blur * blur), ray.z));
   float shown;
-  vec4 local = mirrored_along(surface_m, upward, 4.0 * blur, shown);
+  vec4 local = mirrored_along(surface_m, upward, facet_width * blur, shown);
   float lost = ray.y < 0.0 ? 1.0 - fresnel(-ray.y) : 0.0;
   float mirrors = fresnel(clamp(dot(v, normal), 0.0, 1.0)) * (1.0 - lost);
   vec3 mirrored = mirrors * local.rgb;
@@ -46,7 +50,7 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   // Clouds that the picture shows are in it; else they are behind all that it shows.
   shown = mix(local.a, shown, water.image_has_clouds);
   vec3 sky = mirrors * ((shown - local.a) * environment_light(upward) +
-                        (1.0 - shown) * cloudy_sky_light(upward, 4.0 * blur));
+                        (1.0 - shown) * cloudy_sky_light(upward, facet_width * blur));
 #else
   vec3 sky = mirrors * (1.0 - local.a) * environment_light(upward);
 #endif
