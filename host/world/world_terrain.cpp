@@ -43,7 +43,6 @@ void TerrainImage::fit(const ocl::Device& device, const Camera& camera) {
   const std::size_t pixels = terrain::pixel_count(camera);
   hits = ocl::Buffer<TerrainHit>(device, pixels, "ground's hits");
   image = ocl::Buffer<terrain::Texel>(device, pixels, "ground's image");
-  distances = ocl::Buffer<float>(device, pixels, "ground's distances");
   planes = ocl::Buffer<float>(device, terrain::HitPlanes::plane_count * pixels, "ground's planes");
   width_px = camera.width_px;
   height_px = camera.height_px;
@@ -200,6 +199,16 @@ terrain::TerrainAppearance WorldTerrain::look_of(const terrain::Sampling& sampli
           .finest_detail_m = parameters_.finest_detail_m};
 }
 
+template <class Field>
+void WorldTerrain::lay_planes(const Field& field, const Camera& camera, const terrain::SeaOverTerrain& sea,
+                              const terrain::LakeLayer* lakes, TerrainImage& picture) {
+  const std::size_t pixels = terrain::pixel_count(camera);
+  if (distances_m_.size() < pixels) distances_m_ = ocl::Buffer<float>(device_, pixels, "ground's distances");
+  hit_planes_.at(picture.hits, pixels, distances_m_, picture.planes);
+  if (lakes != nullptr) lakes->stand_before(field, camera, picture.hits, distances_m_);
+  edge_distances_.at(field, camera, sea, picture.image, distances_m_, picture.planes);
+}
+
 void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIllumination& light,
                          const terrain::Sampling& sampling, const terrain::SeaOverTerrain& sea,
                          TerrainImage& picture) {
@@ -210,17 +219,11 @@ void WorldTerrain::paint(const Camera& camera, const terrain::TerrainIlluminatio
   if (field_) {
     field_->cast(camera, relief_, picture.hits);
     shade_.at(*field_, camera, picture.hits, light, picture.image, look);
+    lay_planes(*field_, camera, sea, look.lakes, picture);
   } else {
     tiles_->cast(camera, relief_, picture.hits);
     shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
-  }
-  hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.distances, picture.planes);
-  if (field_) {
-    if (lakes_) lakes_->stand_before(*field_, camera, picture.hits, picture.distances);
-    edge_distances_.at(*field_, camera, sea, picture.image, picture.distances, picture.planes);
-  } else {
-    if (lakes_) lakes_->stand_before(*tiles_, camera, picture.hits, picture.distances);
-    edge_distances_.at(*tiles_, camera, sea, picture.image, picture.distances, picture.planes);
+    lay_planes(*tiles_, camera, sea, look.lakes, picture);
   }
 }
 
@@ -287,8 +290,7 @@ void WorldTerrain::mirror_at(const Camera& mirrored, double plane_m, const sky::
   look.woods = terrain::WoodsShape::even;
   shade_.at(*field_, mirrored, mirrored_.hits, {light.light, sky.params(), sky.view_table(), light.clouds},
             mirrored_.image, look);
-  hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.distances, mirrored_.planes);
-  edge_distances_.at(*field_, mirrored, {}, mirrored_.image, mirrored_.distances, mirrored_.planes);
+  lay_planes(*field_, mirrored, {}, nullptr, mirrored_);
 }
 
 }  // namespace offing::world

@@ -39,10 +39,8 @@ struct TerrainImage {
   ocl::Buffer<TerrainHit> hits = {};
   /// [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, premultiplied.
   ocl::Buffer<terrain::Texel> image = {};
-  /// [height_px][width_px]: along the pixel's own ray to the ground or a lake, m; +inf where there is none.
-  ocl::Buffer<float> distances = {};
-  /// [2][height_px][width_px]: the distance at which the ground is drawn, m (terrain::EdgeDistances); steps
-  /// of the ray.
+  /// [2][height_px][width_px]: the distance at which the ground or a lake is drawn, m
+  /// (terrain::EdgeDistances), +inf where there is none; steps of the ray.
   ocl::Buffer<float> planes = {};
 
   /// Gives it the size of the camera's picture.
@@ -170,6 +168,10 @@ class WorldTerrain {
   void make_canopy(const TerrainParameters& parameters);
   /// How lakes look to this camera.
   void look_at_lakes(const Camera& camera, const terrain::TerrainIllumination& light);
+  /// Gives a picture its planes.
+  template <class Field>
+  void lay_planes(const Field& field, const Camera& camera, const terrain::SeaOverTerrain& sea,
+                  const terrain::LakeLayer* lakes, TerrainImage& picture);
   void paint(const Camera& camera, const terrain::TerrainIllumination& light,
              const terrain::Sampling& sampling, const terrain::SeaOverTerrain& sea, TerrainImage& picture);
 
@@ -197,6 +199,7 @@ class WorldTerrain {
   std::optional<terrain::CanopyLayer> canopy_;
   double time_s_ = 0.0;
   TerrainImage image_, beneath_, mirrored_;
+  ocl::Buffer<float> distances_m_;  // along the own rays of the pixels of the last of these
   bool is_in_reach_ = false, is_mirrored_ = false;
 };
 

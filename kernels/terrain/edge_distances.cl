@@ -1,12 +1,13 @@
-// How far away the ground of each pixel is drawn. Where it covers a pixel in part and the pixel's own ray has passed it, that
-// is as far as the ground beside it.
+// Distance at which each pixel's ground is drawn (T10 of docs/sources.md). If ground covers only part of a pixel and the
+// pixel's own ray misses it, that is the distance of the nearest ground beside it.
 // In:  field, view (shared/terrain.h); distances_m [height_px][width_px] along the unit rays to the ground, or to the lake
 //      before it, +inf for misses; image [height_px][width_px] of terrain/terrain_shade.cl for the same view; hidden_below_m
 //      and hidden_bend_perm of shared/terrain_look.h.
 // Out: drawn_m [height_px][width_px].
 #include "terrain/image_rays.clh"
 
-// The nearest of the ground beside a pixel, but rather such that covers its pixel: other rays may have met what is under water.
+// Nearest distance among the four neighbours. Those that ground covers wholly come first: rays of the others may have hit
+// what is under water.
 INLINE float distance_beside(__global const float *distances_m, __global const float4 *image, TerrainView view, int column,
                              int row) {
   float found_m = distances_m[row * view.width_px + column];
@@ -35,6 +36,7 @@ __kernel void edge_distances(TerrainField field, TerrainView view, __global cons
   float distance_m = distances_m[pixel];
   if (coverage > 0.0f && coverage < 1.0f) {
     const Rays rays = rays_of(field, view, column, row);
+    // As shown_by_height() has it.
     const bool meets_ground = !isinf(distance_m) && rays.height_m + distance_m * rays.rise >=
                                                         hidden_below_m - hidden_bend_perm * distance_m * distance_m;
     if (!meets_ground) distance_m = distance_beside(distances_m, image, view, column, row);

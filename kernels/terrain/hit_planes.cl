@@ -1,7 +1,7 @@
 // What pictures show of a camera's hits beside their light: their distances, and the work they took (T11 of docs/sources.md).
 // In:  hits [height_px][width_px] of terrain/quadtree_cast.cl, as one row of `count`.
 // Out: distances_m [height_px][width_px] along the unit rays, +inf for misses; the second of planes [2][height_px][width_px],
-//      steps. The first is that of terrain/edge_distances.cl.
+//      steps. terrain/edge_distances.cl writes the first.
 #include "shared/terrain.h"
 
 __kernel void hit_planes(__global const TerrainHit *restrict hits, int count, __global float *restrict distances_m,

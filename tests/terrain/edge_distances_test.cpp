@@ -2,17 +2,21 @@
 #include "host/terrain/shading/edge_distances.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/ocl/expect_error.h"
 #include "tests/terrain/example_maps.h"
+#include "tests/terrain/example_tiles.h"
 
 namespace offing {
 namespace {
@@ -80,14 +84,14 @@ TEST(EdgeDistancesTest, TakesDistancesOfTheGroundBeside) {
                       .roll_rad = 0.1,
                       .width_px = width,
                       .height_px = height};
-  const terrain::SeaOverTerrain sea{.below_m = -40.0, .bend_perm = 1e-5};
+  const terrain::SeaOverTerrain sea{.below_m = -40.0, .bend_perm = 1e-4};
   const Picture picture = random_picture();
   const ocl::Buffer<float> distances_m(device, picture.distances_m, "distances");
   const ocl::Buffer<terrain::Texel> image(device, picture.image, "image");
   ocl::Buffer<float> drawn_m(device, picture.distances_m.size(), "drawn");
   terrain::EdgeDistances(device).at(field, camera, sea, image, distances_m, drawn_m);
   const std::vector<float> found = drawn_m.read();
-  std::size_t own = 0, beside = 0, under = 0;
+  std::size_t own = 0, beside = 0, bent = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const double own_m = picture.distance_m(column, row),
@@ -99,7 +103,7 @@ TEST(EdgeDistancesTest, TakesDistancesOfTheGroundBeside) {
       const bool is_edge = coverage > 0.0 && coverage < 1.0;
       const bool is_own = !is_edge || (std::isfinite(own_m) && above_m > 0.0);
       ++(is_own ? own : beside);
-      if (is_edge && std::isfinite(own_m) && above_m < 0.0) ++under;
+      if (is_edge && end_m > sea.below_m - sea.bend_perm * own_m * own_m && end_m < sea.below_m) ++bent;
       const double expected_m = is_own ? own_m : distance_beside(picture, column, row);
       EXPECT_EQ(static_cast<double>(found[static_cast<std::size_t>(row * width + column)]), expected_m)
           << column << ", " << row << ": " << coverage;
@@ -107,7 +111,48 @@ TEST(EdgeDistancesTest, TakesDistancesOfTheGroundBeside) {
   }
   EXPECT_GT(own, 300u);
   EXPECT_GT(beside, 150u);
-  EXPECT_GT(under, 50u);
+  EXPECT_GT(bent, 10u);
+}
+
+// The same picture of tiles, whose first post is elsewhere. Fails if they do not take the same distances.
+TEST(EdgeDistancesTest, DoesSoOverTiles) {
+  const ocl::Device device = ocl::Device::open();
+  const test::ExampleTiles example = test::hilly_tiles();
+  terrain::TiledField tiles(device, example.tiled_map(), example.reader(), std::size_t{64} << 20);
+  const terrain::HeightField map(device, example.map().grid, example.map().heights_m);
+  const Camera camera{
+      .eye_m = {800.0, 60.0, 800.0}, .pitch_rad = -0.2, .width_px = width, .height_px = height};
+  tiles.look_and_wait(camera);
+  const Picture picture = random_picture();
+  const ocl::Buffer<float> distances_m(device, picture.distances_m, "distances");
+  const ocl::Buffer<terrain::Texel> image(device, picture.image, "image");
+  ocl::Buffer<float> of_map_m(device, picture.distances_m.size(), "of the map"),
+      of_tiles_m(device, picture.distances_m.size(), "of tiles");
+  const terrain::EdgeDistances edges(device);
+  const terrain::SeaOverTerrain sea{.below_m = -40.0};
+  edges.at(map, camera, sea, image, distances_m, of_map_m);
+  edges.at(tiles, camera, sea, image, distances_m, of_tiles_m);
+  EXPECT_EQ(of_tiles_m.read(), of_map_m.read());
+}
+
+// Fails if a kernel reads or writes beyond a buffer.
+TEST(EdgeDistancesTest, RefusesSmallBuffers) {
+  const ocl::Device device = ocl::Device::open();
+  const test::HeightMap map = test::square_map(5, 10.0, [](double, double) { return 0.0; });
+  const terrain::HeightField field(device, map.grid, map.heights_m);
+  const Camera camera{.width_px = 4, .height_px = 4};
+  const terrain::EdgeDistances edges(device);
+  for (const std::size_t small : {0u, 1u, 2u}) {
+    const auto size = [small](std::size_t which) {
+      return which == small ? std::size_t{15} : std::size_t{16};
+    };
+    const ocl::Buffer<terrain::Texel> image(device, size(0), "image");
+    const ocl::Buffer<float> distances_m(device, size(1), "distances");
+    ocl::Buffer<float> drawn_m(device, size(2), "drawn");
+    const std::string name = std::array{"image", "distances", "drawn distances"}.at(small);
+    test::expect_error(ErrorKind::bad_usage, name,
+                       [&] { edges.at(field, camera, {}, image, distances_m, drawn_m); });
+  }
 }
 
 }  // namespace

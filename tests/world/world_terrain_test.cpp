@@ -1,6 +1,7 @@
 // What a world with ground shows of it.
 #include "host/world/world_terrain.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -11,10 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
 #include "host/mesh_shapes/shape.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/terrain/lakes/lake.h"
 #include "host/world/world.h"
 #include "tests/terrain/example_tiles.h"
 
@@ -152,7 +157,8 @@ TEST_F(WorldTerrainTest, DrawsTheDetailThatIsAskedFor) {
   EXPECT_EQ(light(), fine);
 }
 
-// Fails if distances, planes or image are not of the hits, pixel by pixel.
+// Fails if planes or image are not of the hits, pixel by pixel. At edges, rays that miss the ground have
+// distances of the ground beside them.
 TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   World world(device_, parameters());
   world.at(0.0, camera().eye_m.y);
@@ -160,16 +166,18 @@ TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   const WorldTerrain& terrain = *world.terrain();
   ASSERT_TRUE(terrain.is_in_reach());
   const auto hits = terrain.image().hits.read();
-  const auto distances = terrain.image().distances.read();
   const auto planes = terrain.image().planes.read();
   const auto image = terrain.image().image.read();
   ASSERT_EQ(hits.size(), 61u * 35u);
   ASSERT_EQ(planes.size(), 2 * hits.size());
   ASSERT_EQ(image.size(), hits.size());
-  std::size_t seen = 0;
+  std::size_t seen = 0, edges = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    EXPECT_EQ(distances[i], hits[i].distance_m);
-    if (image[i][3] == 0.0f || image[i][3] == 1.0f) {
+    const bool is_edge = image[i][3] > 0.0f && image[i][3] < 1.0f && hits[i].kind == TERRAIN_MISS;
+    if (is_edge) {
+      ++edges;
+      EXPECT_TRUE(std::isfinite(planes[i])) << i;
+    } else {
       EXPECT_EQ(planes[i], hits[i].distance_m);
     }
     EXPECT_EQ(planes[hits.size() + i], static_cast<float>(hits[i].steps));
@@ -179,6 +187,85 @@ TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   }
   EXPECT_GT(seen, hits.size() / 10);
   EXPECT_LT(seen, hits.size());
+  EXPECT_GT(edges, 5u);
+}
+
+// Fails if what the sea mirrors, or what is under water, has no planes of its own, or a camera's later
+// picture takes them away. One ray a pixel leaves no edges.
+TEST_F(WorldTerrainTest, HasPlanesOfMirroredGroundAndOfBeds) {
+  WorldParameters wet = parameters();
+  wet.has_sea = true;
+  wet.spectrum = ocean::make_sea_spectrum(ocean::SpectrumParameters{});
+  wet.ocean.size = 64;
+  wet.ocean.cascades = ocean::cascades_from_patches(std::array{400.0, 50.0}, wet.ocean.size);
+  World world(device_, wet);
+  world.at(0.0, camera().eye_m.y);
+  world.see_terrain(camera());
+  const std::vector<float> first = world.terrain()->image().planes.read();
+  world.see_terrain_beneath(camera());
+  Camera from_below = mirrored(camera(), 0.0);
+  from_below.width_px = 40;
+  world.see_mirrored_terrain(from_below);
+  const WorldTerrain& terrain = *world.terrain();
+  ASSERT_NE(terrain.beneath(), nullptr);
+  ASSERT_NE(terrain.mirrored(), nullptr);
+  for (const TerrainImage* picture : {terrain.beneath(), terrain.mirrored()}) {
+    const std::vector<TerrainHit> hits = picture->hits.read();
+    const std::vector<float> planes = picture->planes.read();
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      EXPECT_EQ(planes[i], hits[i].distance_m) << i;
+      if (hits[i].kind != TERRAIN_MISS) ++seen;
+    }
+    EXPECT_GT(seen, 50u);
+  }
+  EXPECT_EQ(terrain.image().planes.read(), first);
+}
+
+// A basin with a lake 20 m deep, seen from above. Fails if its water is not as far away as its level, or its
+// shore as the ground. Floats and the bed's patches: gate 1e-4 of the distance, but at the shore, where a
+// pixel may show either.
+TEST_F(WorldTerrainTest, DrawsLakesAtTheirLevel) {
+  constexpr double level_m = 80.0;
+  auto map = std::make_shared<HeightMap>();
+  map->columns = map->rows = 65;
+  map->spacing_x_m = map->spacing_z_m = 10.0;
+  for (int row = 0; row < 65; ++row) {
+    for (int column = 0; column < 65; ++column)
+      map->heights_m.push_back(
+          static_cast<float>(60.0 + 2.0 * std::max(std::abs(column - 32), std::abs(row - 32))));
+  }
+  WorldParameters dry = parameters();
+  dry.terrain = TerrainParameters{
+      .map = map, .origin_x_m = -320.0, .origin_z_m = -320.0, .latitude_deg = {}, .lines = {}};
+  dry.terrain->relief = 0.0;
+  dry.terrain->lakes = {{.lake = std::make_shared<const terrain::Lake>(
+                             terrain::fill_lake(dry.terrain->posts(), 320.0, 320.0, level_m))}};
+  World world(device_, dry);
+  Camera above = camera();
+  above.eye_m = {0.0, 200.0, 0.0};
+  above.pitch_rad = -1.2;
+  world.at(0.0, above.eye_m.y);
+  world.see_terrain(above);
+  const std::vector<TerrainHit> hits = world.terrain()->image().hits.read();
+  const std::vector<float> planes = world.terrain()->image().planes.read();
+  std::size_t water = 0, land = 0;
+  for (int row = 0; row < above.height_px; ++row) {
+    for (int column = 0; column < above.width_px; ++column) {
+      const auto i = static_cast<std::size_t>(row * above.width_px + column);
+      const glm::dvec2 clip(2.0 * (column + 0.5) / above.width_px - 1.0,
+                            1.0 - 2.0 * (row + 0.5) / above.height_px);
+      const double rise = glm::normalize(ray_direction(above, clip)).y,
+                   ground_m = static_cast<double>(hits[i].distance_m);
+      const double over_m = above.eye_m.y + ground_m * rise - level_m;
+      if (hits[i].kind == TERRAIN_MISS || std::abs(over_m) < 1.0) continue;
+      ++(over_m < 0.0 ? water : land);
+      const double expected_m = over_m < 0.0 ? (level_m - above.eye_m.y) / rise : ground_m;
+      EXPECT_NEAR(static_cast<double>(planes[i]), expected_m, 1e-4 * expected_m) << column << ", " << row;
+    }
+  }
+  EXPECT_GT(water, 200u);
+  EXPECT_GT(land, 200u);
 }
 
 // Fails if the place of the map is lost: height under a point of the world.

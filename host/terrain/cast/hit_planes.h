@@ -9,7 +9,7 @@
 
 namespace offing::terrain {
 
-/// What pictures show of hits beside their light; of planes, as textures want them.
+/// Distances and steps of hits, for pictures.
 class HitPlanes {
  public:
   static constexpr std::size_t plane_count = 2;
@@ -17,9 +17,9 @@ class HitPlanes {
   /// Throws what programs throw.
   explicit HitPlanes(const ocl::Device& device);
 
-  /// Enqueues distances [count] of the first `count` hits along their unit rays, m, +inf where they miss; and
-  /// the second of planes [2][count], steps. The first is that of EdgeDistances. Throws Error(bad_usage) for
-  /// buffers that hold fewer.
+  /// Enqueues distances_m [count] of the first `count` hits along their unit rays, +inf where they miss, and
+  /// their steps into the second of planes [2][count]. EdgeDistances writes the first. Throws
+  /// Error(bad_usage) for buffers that hold fewer.
   void at(const ocl::Buffer<TerrainHit>& hits, std::size_t count, ocl::Buffer<float>& distances_m,
           ocl::Buffer<float>& planes) const;
 

@@ -31,8 +31,9 @@ vec3 hidden_at(int cascade, float level) {
              water.hidden_slopes[cascade * water.level_count + below + 1].xyz, place - float(below));
 }
 
-// How wide a facet sees what it mirrors, in parts of its `blur`. It stands for half of the slopes, whose rays spread over
-// eight along the view and less across it. Six comes nearest to means over 64 finer pixels, of 4, 5, 6, 8 and 12.
+// Width of what a facet mirrors, in parts of its `blur`. A facet stands for half of the slopes. Their rays spread over 8
+// `blur` along the view, and less across it. Of 4, 5, 6, 8 and 12, 6 comes nearest to the mean over 64 finer pixels
+// (world.toml, harbour_walk.toml).
 const float facet_width = 6.0;
 
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A

@@ -127,7 +127,7 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
 TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
   open(hills);
   light(request(camera()));
-  const auto distances = world_->terrain()->image().distances.read();
+  const auto found_hits = world_->terrain()->image().hits.read();
   const auto image = world_->terrain()->image().image.read();
   const std::vector<float> found = depth();
   const glm::dvec3 forward = basis(camera()).forward;
@@ -135,7 +135,7 @@ TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
     for (int column = 0; column < width; ++column) {
       const float coverage = image[texel(column, row)][3];
       if (coverage > 0.0f && coverage < 1.0f) continue;
-      const double distance_m = distances[texel(column, row)];
+      const double distance_m = found_hits[texel(column, row)].distance_m;
       const double along = distance_m * glm::dot(ray_of(camera(), column, row), forward);
       const double expected = std::isinf(distance_m) ? 0.0 : near_m / along;
       ASSERT_NEAR(found[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)], expected,
@@ -154,13 +154,13 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
   coast.pitch_rad = -0.5;
   const std::vector<float> pixels = light(request(coast));
   const auto image = world_->terrain()->image().image.read();
-  const auto distances = world_->terrain()->image().distances.read();
+  const auto found_hits = world_->terrain()->image().hits.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t land = 0, water = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-      const double distance_m = distances[texel(column, row)];
+      const double distance_m = found_hits[texel(column, row)].distance_m;
       const terrain::Texel& terrain = image[texel(column, row)];
       // Edges are mixed with what is behind; the bed is not drawn, and covers nothing.
       if (std::isinf(distance_m) || (terrain[3] > 0.0f && terrain[3] < 1.0f)) continue;
@@ -201,21 +201,22 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
   open(std::string(hills) + "mean_m = -60\n" + sea, 0);
   const std::vector<float> pixels = light(request(coast));
   const auto image = world_->terrain()->image().image.read();
-  const auto distances = world_->terrain()->image().distances.read();
+  const auto found_hits = world_->terrain()->image().hits.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t over_bed = 0, over_open_sea = 0;
   for (int row = 1; row + 1 < height; ++row) {
     for (int column = 1; column + 1 < width; ++column) {
       const terrain::Texel& terrain = image[texel(column, row)];
       if (terrain[3] <= 0.0f || terrain[3] >= 1.0f) continue;
-      const double rise = ray_of(coast, column, row).y, own_m = distances[texel(column, row)];
+      const double rise = ray_of(coast, column, row).y, own_m = found_hits[texel(column, row)].distance_m;
       const bool is_bed = std::isfinite(own_m) && coast.eye_m.y + own_m * rise < -reach_m - 1.0;
       if (rise > -0.01 || (std::isfinite(own_m) && !is_bed)) continue;
       // A hill well before the water, not its shore.
       double hill_m = std::numeric_limits<double>::infinity();
       for (const auto& [right, up] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const std::size_t beside = texel(column + right, row + up);
-        if (image[beside][3] == 1.0f) hill_m = std::min(hill_m, static_cast<double>(distances[beside]));
+        if (image[beside][3] == 1.0f)
+          hill_m = std::min(hill_m, static_cast<double>(found_hits[beside].distance_m));
       }
       if (!(hill_m < 0.8 * coast.eye_m.y / -rise)) continue;
       ++(is_bed ? over_bed : over_open_sea);
@@ -264,7 +265,7 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
 TEST_F(TerrainPassTest, EnlargesCoarserViews) {
   open(hills);
   const std::vector<float> fine = light(request(camera()));
-  const auto distances = world_->terrain()->image().distances.read();
+  const auto found_hits = world_->terrain()->image().hits.read();
   FrameRequest asked = request(camera());
   for (const double scale : {0.5, 0.8660254}) {
     asked.quality.ray_share = scale * scale;
@@ -274,7 +275,7 @@ TEST_F(TerrainPassTest, EnlargesCoarserViews) {
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
         const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-        if (std::isinf(distances[texel(column, row)])) continue;
+        if (std::isinf(found_hits[texel(column, row)].distance_m)) continue;
         EXPECT_GT(coarse[4 * i + 1], 0.0f) << "a hole at " << column << ", " << row;
         difference += std::abs(coarse[4 * i + 1] - fine[4 * i + 1]);
         mean += fine[4 * i + 1];
