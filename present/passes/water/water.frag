@@ -32,8 +32,8 @@ vec3 hidden_at(int cascade, float level) {
 }
 
 // Width of what a facet mirrors, in parts of its `blur`. A facet stands for half of the slopes. Their rays spread over 8
-// `blur` along the view, and less across it. Of 4, 5, 6, 8 and 12, 6 comes nearest to the mean over 64 finer pixels
-// (world.toml, harbour_walk.toml).
+// `blur` along the view, and less across it. Narrow facets sparkle, wide ones dull bright clouds: of 4, 5, 6, 8 and 12,
+// 6 comes nearest to the mean over 64 finer pixels of world.toml.
 const float facet_width = 6.0;
 
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A

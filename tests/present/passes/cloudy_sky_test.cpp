@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -214,6 +215,43 @@ TEST_F(CloudyWaterTest, SlicesFollowTheEye) {
   constexpr int faces = 5;
   cameras.resize(1 + faces * Frame::slice_frames, above(200.0));
   EXPECT_EQ(sliced(cameras), whole);
+}
+
+// Waves that mirror a sky of clouds, against means over 64 finer pixels. Fails if facets mirror less than the
+// slopes that they stand for spread over, so that pixels sparkle. Aliasing, the gradient energy of the
+// difference over 1 to 4 pixels as a share of that of the picture: found 0.273; 0.304 where facets see two
+// thirds of their width. Gate 0.29.
+TEST_F(CloudyWaterTest, PixelsAreMeansOfFinerOnes) {
+  const std::string windy =
+      "[wind]\nspeed_mps = 6\n[ocean]\nsize = 128\nfetch_m = 6e3\n[sun]\nazimuth_deg = 180\nelevation_deg = "
+      "60\n"
+      "[clouds]\nquality = 0.5\n[[cloud_layer]]\ngenus = \"cumulus\"\ncoverage = 0.3\nextent_m = 9000\n"
+      "y_m = 1100\nz_m = -4000\n";
+  constexpr std::size_t finer = 8, side = side_px;
+  Camera camera = looking(4.0, -0.1);
+  const std::vector<float> found = light(windy, camera, 256);
+  camera.width_px = camera.height_px = finer * side_px;
+  const std::vector<float> fine = light(windy, camera, 256);
+  std::vector<double> errors(side * side);
+  for (std::size_t i = 0; i < fine.size() / 4; ++i) {
+    const std::size_t row = i / (finer * side) / finer, column = i % (finer * side) / finer;
+    errors[row * side + column] -= static_cast<double>(fine[4 * i + 1]) / (finer * finer);
+  }
+  const auto light_of = [&](std::size_t i) { return static_cast<double>(found[4 * i + 1]); };
+  for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += light_of(i);
+  double energy = 0.0, aliasing = 0.0;
+  const auto add = [&](std::size_t i, std::size_t j) {
+    energy += std::pow(light_of(j) - light_of(i), 2);
+    aliasing += std::pow(errors[j] - errors[i], 2);
+  };
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    for (std::size_t away = 1; away <= 4; ++away) {
+      if (i % side + away < side) add(i, i + away);
+      if (i / side + away < side) add(i, i + away * side);
+    }
+  }
+  RecordProperty("aliasing_1e3", static_cast<int>(1e3 * aliasing / energy));
+  EXPECT_LT(aliasing / energy, 0.29);
 }
 
 // Fails if an eye in the water finds a clear sky in Snell's window under clouds: straight up it sees what the
