@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/terrain/aliasing.h"
 #include "tests/terrain/terrain_painter.h"
 
 namespace offing {
@@ -47,30 +48,8 @@ double mean_of(const std::vector<double>& image) {
   return std::accumulate(image.begin(), image.end(), 0.0) / static_cast<double>(image.size());
 }
 
-/// Means over squares of pixels of a picture that is finer.
-std::vector<double> shrunk(const std::vector<double>& image) {
-  std::vector<double> means(static_cast<std::size_t>(wide_px) * high_px);
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    const std::size_t row = i / (wide_px * finer) / finer, column = i % (wide_px * finer) / finer;
-    means[row * wide_px + column] += image[i] / (finer * finer);
-  }
-  return means;
-}
-
-/// The mean square by which pixels differ that are 1 ... 4 apart in a row or a column.
 double gradient_energy(const std::vector<double>& image) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (int away = 1; away <= 4; ++away) {
-    for (int row = 0; row < high_px; ++row) {
-      for (int column = 0; column < wide_px; ++column) {
-        const auto at = [&](int x, int y) { return image[static_cast<std::size_t>(y * wide_px + x)]; };
-        if (column + away < wide_px) sum += std::pow(at(column + away, row) - at(column, row), 2), ++count;
-        if (row + away < high_px) sum += std::pow(at(column, row + away) - at(column, row), 2), ++count;
-      }
-    }
-  }
-  return sum / static_cast<double>(count);
+  return test::gradient_energy(image, wide_px);
 }
 
 /// Gradient energy of a picture over the mean light's square, and aliasing: that of the difference from the
@@ -83,11 +62,9 @@ Detail detail_of(test::TerrainPainter& painter, Camera camera) {
   const std::vector<double> found = luminances(painter.draw(camera, {}));
   camera.width_px *= finer;
   camera.height_px *= finer;
-  const std::vector<double> expected = shrunk(luminances(painter.draw(camera, {.sampling = {.rays = 1}})));
-  std::vector<double> errors(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) errors[i] = found[i] - expected[i];
+  const std::vector<double> fine = luminances(painter.draw(camera, {.sampling = {.rays = 1}}));
   const double energy = gradient_energy(found), light = mean_of(found);
-  return {energy / (light * light), gradient_energy(errors) / energy};
+  return {energy / (light * light), test::aliasing(found, fine, wide_px, finer)};
 }
 
 /// A hillside of one kind of ground that slopes up to the south.
@@ -149,11 +126,9 @@ TEST(TerrainReliefTest, EdgesOfPicturesAreSharp) {
   const std::vector<double> found = left_part(luminances(painter.draw(camera, {})), columns, wide_px);
   camera.width_px *= finer;
   camera.height_px *= finer;
-  const std::vector<double> expected = shrunk(left_part(
-      luminances(painter.draw(camera, {.sampling = {.rays = 1}})), columns * finer, wide_px * finer));
-  std::vector<double> errors(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) errors[i] = found[i] - expected[i];
-  const double aliasing = gradient_energy(errors) / gradient_energy(found);
+  const std::vector<double> fine = left_part(luminances(painter.draw(camera, {.sampling = {.rays = 1}})),
+                                             columns * finer, wide_px * finer);
+  const double aliasing = test::aliasing(found, fine, wide_px, finer);
   std::printf("edge of a meadow: aliasing %.3f\n", aliasing);
   EXPECT_LE(aliasing, 0.1);
 }

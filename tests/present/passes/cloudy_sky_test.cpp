@@ -16,6 +16,7 @@
 #include "host/ocean/surface/water_optics.h"
 #include "tests/present/passes/cloud_stage.h"
 #include "tests/present/passes/still_sea.h"
+#include "tests/terrain/aliasing.h"
 
 namespace offing::present {
 namespace {
@@ -227,31 +228,19 @@ TEST_F(CloudyWaterTest, PixelsAreMeansOfFinerOnes) {
       "60\n"
       "[clouds]\nquality = 0.5\n[[cloud_layer]]\ngenus = \"cumulus\"\ncoverage = 0.3\nextent_m = 9000\n"
       "y_m = 1100\nz_m = -4000\n";
-  constexpr std::size_t finer = 8, side = side_px;
-  Camera camera = looking(4.0, -0.1);
-  const std::vector<float> found = light(windy, camera, 256);
-  camera.width_px = camera.height_px = finer * side_px;
-  const std::vector<float> fine = light(windy, camera, 256);
-  std::vector<double> errors(side * side);
-  for (std::size_t i = 0; i < fine.size() / 4; ++i) {
-    const std::size_t row = i / (finer * side) / finer, column = i % (finer * side) / finer;
-    errors[row * side + column] -= static_cast<double>(fine[4 * i + 1]) / (finer * finer);
-  }
-  const auto light_of = [&](std::size_t i) { return static_cast<double>(found[4 * i + 1]); };
-  for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += light_of(i);
-  double energy = 0.0, aliasing = 0.0;
-  const auto add = [&](std::size_t i, std::size_t j) {
-    energy += std::pow(light_of(j) - light_of(i), 2);
-    aliasing += std::pow(errors[j] - errors[i], 2);
+  constexpr int finer = 8;
+  const auto luminances = [&](const Camera& camera) {
+    const std::vector<float> seen = light(windy, camera, 256);
+    std::vector<double> found;
+    for (std::size_t i = 1; i < seen.size(); i += 4) found.push_back(static_cast<double>(seen[i]));
+    return found;
   };
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    for (std::size_t away = 1; away <= 4; ++away) {
-      if (i % side + away < side) add(i, i + away);
-      if (i / side + away < side) add(i, i + away * side);
-    }
-  }
-  RecordProperty("aliasing_1e3", static_cast<int>(1e3 * aliasing / energy));
-  EXPECT_LT(aliasing / energy, 0.29);
+  Camera camera = looking(4.0, -0.1);
+  const std::vector<double> found = luminances(camera);
+  camera.width_px = camera.height_px = finer * side_px;
+  const double aliasing = test::aliasing(found, luminances(camera), side_px, finer);
+  RecordProperty("aliasing_1e3", static_cast<int>(1e3 * aliasing));
+  EXPECT_LT(aliasing, 0.29);
 }
 
 // Fails if an eye in the water finds a clear sky in Snell's window under clouds: straight up it sees what the
